@@ -1,0 +1,109 @@
+// Copyright (c) 2026 The Area Projection Transform authors.
+//
+// This file is part of the Area_projection_transform package.
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#ifndef CGAL_AREA_PROJECTION_TRANSFORM_GRID_3_H
+#define CGAL_AREA_PROJECTION_TRANSFORM_GRID_3_H
+
+#include <CGAL/Area_projection_transform/Kernel.h>
+
+#include <CGAL/Bbox_3.h>
+
+#include <array>
+#include <cmath>
+#include <cstddef>
+#include <stdexcept>
+#include <string>
+
+namespace CGAL {
+namespace Area_projection {
+
+/// \ingroup PkgAreaProjectionTransformGround
+/// \brief a regular lattice of points with the same spacing along the three axes.
+///
+/// The lattice point (`i`, `j`, `k`) is `origin() + spacing() * (i, j, k)`: the origin is the
+/// centre of the first voxel, not its corner. `x` runs fastest; a row is all points that share
+/// (`j`, `k`) and has the index `j + size()[1] * k`.
+class Grid_3
+{
+public:
+  /// \throw std::invalid_argument if `spacing` is not positive and finite, a coordinate of `origin`
+  /// is not finite, or a size is not positive.
+  Grid_3(const Point_3& origin, double spacing, const std::array<int, 3>& size)
+      : m_origin(origin), m_spacing(spacing), m_size(size)
+  {
+    if(!(spacing > 0) || !std::isfinite(spacing))
+      throw std::invalid_argument("spacing is " + std::to_string(spacing) +
+                                  ": must be positive and finite");
+    for(int axis = 0; axis < 3; ++axis) {
+      if(!std::isfinite(origin[axis]))
+        throw std::invalid_argument("origin has a coordinate that is not finite");
+      if(size[axis] < 1)
+        throw std::invalid_argument("size[" + std::to_string(axis) + "] is " +
+                                    std::to_string(size[axis]) + ": must be at least 1");
+    }
+  }
+
+  const Point_3& origin() const { return m_origin; }
+  double spacing() const { return m_spacing; }
+  const std::array<int, 3>& size() const { return m_size; }
+
+  std::size_t number_of_rows() const { return std::size_t(m_size[1]) * std::size_t(m_size[2]); }
+  std::size_t number_of_voxels() const { return number_of_rows() * std::size_t(m_size[0]); }
+
+  std::size_t row(int j, int k) const
+  {
+    return std::size_t(j) + std::size_t(m_size[1]) * std::size_t(k);
+  }
+
+  Point_3 point(int i, int j, int k) const
+  {
+    return Point_3(m_origin.x() + m_spacing * i, m_origin.y() + m_spacing * j,
+                   m_origin.z() + m_spacing * k);
+  }
+
+  /// the coordinates of `p` in units of the spacing: lattice points have integer coordinates.
+  Vector_3 lattice_coordinates(const Point_3& p) const { return (p - m_origin) / m_spacing; }
+
+  friend bool operator==(const Grid_3& a, const Grid_3& b)
+  {
+    return a.m_origin == b.m_origin && a.m_spacing == b.m_spacing && a.m_size == b.m_size;
+  }
+
+private:
+  Point_3 m_origin;
+  double m_spacing;
+  std::array<int, 3> m_size;
+};
+
+/// \ingroup PkgAreaProjectionTransformGround
+/// \brief returns the smallest lattice of the given spacing that is centred on `box` and covers
+/// it with at least `margin` to spare on every side.
+///
+/// Centring makes the lattice follow the shape under translation.
+/// \throw std::invalid_argument if `spacing` is not positive, `margin` is negative, or a side would
+/// have more than 2^30 lattice points.
+inline Grid_3 grid_around(const Bbox_3& box, double spacing, double margin = 0)
+{
+  if(!(margin >= 0))
+    throw std::invalid_argument("margin is " + std::to_string(margin) + ": must not be negative");
+  std::array<double, 3> first;
+  std::array<int, 3> size;
+  for(int axis = 0; axis < 3; ++axis) {
+    const double extent = box.max(axis) - box.min(axis) + 2 * margin;
+    const double intervals = std::ceil(extent / spacing);
+    if(!(intervals < double(1 << 30)))
+      throw std::invalid_argument("spacing is " + std::to_string(spacing) +
+                                  ": too small for a box " + std::to_string(extent) + " wide");
+    size[axis] = int(intervals) + 1;
+    first[axis] = 0.5 * (box.min(axis) + box.max(axis)) - 0.5 * spacing * intervals;
+  }
+  return Grid_3(Point_3(first[0], first[1], first[2]), spacing, size);
+}
+
+} // namespace Area_projection
+} // namespace CGAL
+
+#endif // CGAL_AREA_PROJECTION_TRANSFORM_GRID_3_H

@@ -1,0 +1,52 @@
+// Copyright (c) 2026 The Area Projection Transform authors.
+//
+// This file is part of the Area_projection_transform package.
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#ifndef CGAL_AREA_PROJECTION_TRANSFORM_PROJECTED_SURFELS_H
+#define CGAL_AREA_PROJECTION_TRANSFORM_PROJECTED_SURFELS_H
+
+#include <CGAL/Area_projection_transform/Kernel.h>
+
+#include <cstddef>
+#include <vector>
+
+namespace CGAL {
+namespace Area_projection {
+
+/// \ingroup PkgAreaProjectionTransformScaleSpace
+/// \brief a parallel surface as weighted points: where area lands, and how much.
+///
+/// Stored as parallel arrays.
+struct Projected_surfels
+{
+  std::vector<Point_3> positions;
+  std::vector<double> areas;
+
+  std::size_t size() const { return positions.size(); }
+  bool empty() const { return positions.empty(); }
+
+  void clear()
+  {
+    positions.clear();
+    areas.clear();
+  }
+
+  void reserve(std::size_t number)
+  {
+    positions.reserve(number);
+    areas.reserve(number);
+  }
+
+  void push_back(const Point_3& position, double area)
+  {
+    positions.push_back(position);
+    areas.push_back(area);
+  }
+};
+
+} // namespace Area_projection
+} // namespace CGAL
+
+#endif // CGAL_AREA_PROJECTION_TRANSFORM_PROJECTED_SURFELS_H

@@ -1,0 +1,77 @@
+// Copyright (c) 2026 The Area Projection Transform authors.
+//
+// This file is part of the Area_projection_transform package.
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#ifndef CGAL_AREA_PROJECTION_TRANSFORM_AT_POINTS_H
+#define CGAL_AREA_PROJECTION_TRANSFORM_AT_POINTS_H
+
+#include <CGAL/Area_projection_transform/Kernel.h>
+#include <CGAL/Area_projection_transform/Projection_kernel_3.h>
+#include <CGAL/Area_projection_transform/internal/parallel_workers.h>
+#include <CGAL/Area_projection_transform/scales.h>
+
+#include <algorithm>
+#include <numeric>
+#include <string>
+#include <vector>
+
+namespace CGAL {
+namespace Area_projection {
+
+/// \ingroup PkgAreaProjectionTransformProjection
+/// \brief a place and a scale at which the transform is asked for.
+struct Query
+{
+  Point_3 point;
+  Scale scale;
+};
+
+/// \ingroup PkgAreaProjectionTransformProjection
+/// \brief evaluates the transform at many places and scales.
+///
+/// Queries of the same radius share one evaluator; the evaluators are made one after the other, and
+/// the queries of each run in parallel. The result does not depend on the number of threads.
+///
+/// \tparam ConcurrencyTag `CGAL::Sequential_tag`, `CGAL::Parallel_tag` or
+/// `CGAL::Parallel_if_available_tag`
+/// \tparam MakeEvaluator a function that takes a `Scale`, the first of its radius among the queries,
+/// and returns a model of `ProjectionEvaluator`
+///
+/// \return for each query, the area that is projected into its ball
+/// \throw std::invalid_argument if a radius or a `σ` is not positive
+template <class ConcurrencyTag = CGAL::Sequential_tag, class MakeEvaluator>
+std::vector<double>
+evaluate_at_points(const std::vector<Query>& queries, MakeEvaluator&& make_evaluator,
+                   const std::vector<Nested_ball>& kernel = Ball_kernel_3().nested_balls())
+{
+  for(std::size_t q = 0; q < queries.size(); ++q) {
+    internal::check_positive(queries[q].scale.radius, "radius of query " + std::to_string(q));
+    internal::check_positive(queries[q].scale.sigma, "sigma of query " + std::to_string(q));
+  }
+  std::vector<std::size_t> order(queries.size());
+  std::iota(order.begin(), order.end(), std::size_t(0));
+  std::stable_sort(order.begin(), order.end(), [&](std::size_t a, std::size_t b) {
+    return queries[a].scale.radius < queries[b].scale.radius;
+  });
+
+  std::vector<double> areas(queries.size(), 0.);
+  for(auto begin = order.begin(); begin != order.end();) {
+    const Scale scale = queries[*begin].scale;
+    const auto end = std::find_if(
+        begin, order.end(), [&](std::size_t q) { return queries[q].scale.radius != scale.radius; });
+    const auto evaluator = make_evaluator(scale);
+    internal::for_each_index<ConcurrencyTag>(std::size_t(end - begin), [&](std::size_t i) {
+      const std::size_t q = begin[std::ptrdiff_t(i)];
+      areas[q] = evaluator(queries[q].point, queries[q].scale.sigma, kernel);
+    });
+    begin = end;
+  }
+  return areas;
+}
+
+} // namespace Area_projection
+} // namespace CGAL
+
+#endif // CGAL_AREA_PROJECTION_TRANSFORM_AT_POINTS_H

@@ -1,0 +1,70 @@
+// Copyright (c) 2026 The Area Projection Transform authors.
+//
+// This file is part of the Area_projection_transform package.
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#ifndef CGAL_AREA_PROJECTION_TRANSFORM_INTERNAL_PARALLEL_WORKERS_H
+#define CGAL_AREA_PROJECTION_TRANSFORM_INTERNAL_PARALLEL_WORKERS_H
+
+#include <CGAL/tags.h>
+
+#include <algorithm>
+#include <cstddef>
+#include <type_traits>
+
+#ifdef CGAL_LINKED_WITH_TBB
+#include <tbb/parallel_for.h>
+#include <tbb/partitioner.h>
+#include <tbb/task_arena.h>
+#endif
+
+namespace CGAL {
+namespace Area_projection {
+namespace internal {
+
+template <class ConcurrencyTag>
+constexpr bool is_parallel = std::is_convertible_v<ConcurrencyTag, CGAL::Parallel_tag>;
+
+/// \brief runs `work(w)` for the workers 0, …, `w - 1`, as many as there are threads but at most
+/// `largest`, and returns their number.
+template <class ConcurrencyTag, class Work>
+std::size_t run_workers(std::size_t largest, Work&& work)
+{
+#ifdef CGAL_LINKED_WITH_TBB
+  if constexpr(is_parallel<ConcurrencyTag>) {
+    const std::size_t threads = std::size_t(tbb::this_task_arena::max_concurrency());
+    const std::size_t workers = std::min(threads, largest);
+    if(workers > 1) {
+      tbb::parallel_for(std::size_t(0), workers, work, tbb::simple_partitioner());
+      return workers;
+    }
+  }
+#else
+  static_assert(!is_parallel<ConcurrencyTag>, "Parallel_tag needs TBB (CGAL_LINKED_WITH_TBB)");
+#endif
+  if(largest > 0)
+    work(std::size_t(0));
+  return std::min<std::size_t>(largest, 1);
+}
+
+/// runs `work(i)` for the indices 0, …, `number - 1`, in any order.
+template <class ConcurrencyTag, class Work>
+void for_each_index(std::size_t number, Work&& work)
+{
+#ifdef CGAL_LINKED_WITH_TBB
+  if constexpr(is_parallel<ConcurrencyTag>) {
+    tbb::parallel_for(std::size_t(0), number, work);
+    return;
+  }
+#endif
+  for(std::size_t i = 0; i < number; ++i)
+    work(i);
+}
+
+} // namespace internal
+
+} // namespace Area_projection
+} // namespace CGAL
+
+#endif // CGAL_AREA_PROJECTION_TRANSFORM_INTERNAL_PARALLEL_WORKERS_H

@@ -1,0 +1,69 @@
+// Copyright (c) 2026 The Area Projection Transform authors.
+//
+// This file is part of the Area_projection_transform package.
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#ifndef CGAL_AREA_PROJECTION_TRANSFORM_SCALE_SPACE_CONSTANT_SCALE_SPACE_H
+#define CGAL_AREA_PROJECTION_TRANSFORM_SCALE_SPACE_CONSTANT_SCALE_SPACE_H
+
+#include <CGAL/Area_projection_transform/Side.h>
+#include <CGAL/Area_projection_transform/internal/Surfel_tree.h>
+
+#include <type_traits>
+
+namespace CGAL {
+namespace Area_projection {
+
+/// \ingroup PkgAreaProjectionTransformScaleSpace
+/// \brief the surface as it is, at every radius.
+/// \tparam Source a model of `SurfelSource`: `Triangle_surface` or `Surfels`
+/// \cgalModels `SurfelScaleSpace`, and `TriangleScaleSpace` if `Source` is `Triangle_surface`
+template <class Source>
+class Constant_scale_space
+{
+public:
+  /// Complexity: `O(n log n)` for `n` elements; 200 bytes for each.
+  explicit Constant_scale_space(Source source) : m_source(std::move(source)), m_tree(m_source) {}
+
+  const Source& source() const { return m_source; }
+
+  /// the total area of the surface as seen at `radius`.
+  double area(double /* radius */) const { return m_tree.area(); }
+
+  /// the bounding box of the surface.
+  Bbox_3 bbox() const { return m_source.bbox(); }
+
+  /// \brief hands the parallel surface at `radius`, as points about `spacing` apart, to
+  /// `sink(const Projected_surfels&)`, batch by batch.
+  ///
+  /// Pieces of surface that land close together are merged, large triangles are divided. The areas sum
+  /// to the area of the surface. May be called concurrently.
+  ///
+  /// Complexity: linear in the number of points handed over.
+  template <class BatchSink>
+  void project(double radius, Side side, double spacing, BatchSink&& sink) const
+  {
+    m_tree.project(m_source, internal::signed_distance(side, radius), spacing, sink);
+  }
+
+  /// the triangles of the surface as seen at `radius`, for exact evaluation.
+  const Triangle_surface& triangles(double /* radius */) const
+  {
+    static_assert(std::is_same_v<Source, Triangle_surface>,
+                  "exact evaluation needs triangles; a point set has none");
+    return m_source;
+  }
+
+private:
+  Source m_source;
+  internal::Surfel_tree<Source> m_tree;
+};
+
+template <class Source>
+Constant_scale_space(Source) -> Constant_scale_space<Source>;
+
+} // namespace Area_projection
+} // namespace CGAL
+
+#endif // CGAL_AREA_PROJECTION_TRANSFORM_SCALE_SPACE_CONSTANT_SCALE_SPACE_H

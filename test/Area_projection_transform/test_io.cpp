@@ -1,0 +1,758 @@
+// Copyright (c) 2026 The Area Projection Transform authors.
+//
+// This file is part of the Area_projection_transform package.
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#include <CGAL/Area_projection_transform/IO/CSV.h>
+#include <CGAL/Area_projection_transform/IO/NRRD.h>
+#include <CGAL/Area_projection_transform/IO/VTI.h>
+#include <CGAL/Area_projection_transform/IO/VTP.h>
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <clocale>
+#include <cmath>
+#include <cstdint>
+#include <cstring>
+#include <filesystem>
+#include <fstream>
+#include <iterator>
+#include <limits>
+#include <locale>
+#include <random>
+#include <sstream>
+#include <stdexcept>
+#include <string>
+#include <variant>
+#include <vector>
+
+namespace AP = CGAL::Area_projection;
+namespace IO = CGAL::Area_projection::IO;
+namespace fs = std::filesystem;
+
+namespace {
+
+/// a folder of its own for each test, removed with all that is in it.
+class Io : public ::testing::Test
+{
+protected:
+  void SetUp() override
+  {
+    const auto* test = ::testing::UnitTest::GetInstance()->current_test_info();
+    folder = fs::temp_directory_path() /
+             ("area_projection-" + std::to_string(std::random_device()()) + "-" + test->name());
+    fs::create_directories(folder);
+  }
+  void TearDown() override { fs::remove_all(folder); }
+
+  std::string path(const std::string& name) const { return (folder / name).string(); }
+
+  std::string write(const std::string& name, const std::string& bytes) const
+  {
+    std::ofstream(path(name), std::ios_base::binary) << bytes;
+    return path(name);
+  }
+
+  static std::string bytes_of(const std::string& file)
+  {
+    std::ostringstream bytes;
+    bytes << std::ifstream(file, std::ios_base::binary).rdbuf();
+    return bytes.str();
+  }
+
+  std::size_t number_of_files() const
+  {
+    return std::size_t(std::distance(fs::directory_iterator(folder), fs::directory_iterator()));
+  }
+
+  /// what a function complains about, without the name of the folder.
+  template <class Function>
+  std::string complaint(Function function) const
+  {
+    try {
+      function();
+    } catch(const std::runtime_error& error) {
+      std::string text = error.what();
+      const std::string prefix = folder.string() + "/";
+      if(text.compare(0, prefix.size(), prefix) == 0)
+        text.erase(0, prefix.size());
+      return text;
+    }
+    return "";
+  }
+
+  std::string vtp_complaint(const std::string& bytes) const
+  {
+    const std::string file = write("a.vtp", bytes);
+    return complaint([&] { IO::read_VTP(file); });
+  }
+
+  std::string vti_complaint(const std::string& bytes) const
+  {
+    const std::string file = write("a.vti", bytes);
+    return complaint([&] { IO::read_VTI(file); });
+  }
+
+  std::string nrrd_complaint(const std::string& bytes) const
+  {
+    const std::string file = write("a.nrrd", bytes);
+    return complaint([&] { IO::read_NRRD(file); });
+  }
+
+  fs::path folder;
+};
+
+/// two arrays that no two voxels share a value of, with all a value can be.
+struct Sample
+{
+  AP::Grid_3 grid{AP::Point_3(-0.1, 1e-17, 12345.678), 0.1, {5, 4, 3}};
+  std::vector<float> values;
+  std::vector<float> radii;
+
+  Sample()
+  {
+    for(std::size_t i = 0; i < grid.number_of_voxels(); ++i) {
+      values.push_back(1.f / (3.f + float(i)));
+      radii.push_back(-float(i));
+    }
+    values[7] = std::numeric_limits<float>::denorm_min();
+    values[8] = std::numeric_limits<float>::infinity();
+  }
+
+  IO::Grid_image image() const
+  {
+    IO::Grid_image result(grid);
+    add(result, "JMAPT", values);
+    add(result, "a <\"&'> b", radii);
+    result.add_metadata("radii", std::vector<double>{0.1, 1. / 3, 1e300});
+    result.add_metadata("side", "inside");
+    result.add_metadata("text", "a\\n\nb — é");
+    result.add_metadata("empty", "");
+    result.add_metadata("limits", std::vector<double>{-INFINITY, INFINITY});
+    result.add_metadata("sigma_ratio", 0.5);
+    return result;
+  }
+
+  template <class Scalar>
+  void add(IO::Grid_image& image, const std::string& name, const std::vector<Scalar>& v) const
+  {
+    const std::size_t length = std::size_t(grid.size()[0]);
+    image.add_array<Scalar>(name, [&v, length](std::size_t row, Scalar* out) {
+      std::copy_n(v.begin() + std::ptrdiff_t(row * length), length, out);
+    });
+  }
+};
+
+template <class Value>
+const Value& metadata(const IO::Stored_image& image, const std::string& name)
+{
+  return std::get<Value>(image.entry(name)->value);
+}
+
+void expect_sample(const IO::Stored_image& read, const Sample& sample)
+{
+  EXPECT_EQ(read.grid, sample.grid);
+  ASSERT_EQ(read.arrays.size(), 2u);
+  EXPECT_EQ(read.arrays[0].name, "JMAPT");
+  EXPECT_EQ(read.arrays[1].name, "a <\"&'> b");
+  EXPECT_EQ(read.array("JMAPT")->components, 1u);
+  EXPECT_EQ(std::get<std::vector<float>>(read.arrays[0].values), sample.values);
+  EXPECT_EQ(std::get<std::vector<float>>(read.arrays[1].values), sample.radii);
+  ASSERT_EQ(read.metadata.size(), 6u);
+  EXPECT_EQ(read.metadata[0].name, "radii");
+  EXPECT_EQ(metadata<std::vector<double>>(read, "radii"), (std::vector<double>{.1, 1. / 3, 1e300}));
+  EXPECT_EQ(metadata<std::string>(read, "side"), "inside");
+  EXPECT_EQ(metadata<std::string>(read, "text"), "a\\n\nb — é");
+  EXPECT_EQ(metadata<std::string>(read, "empty"), "");
+  EXPECT_EQ(metadata<std::vector<double>>(read, "limits"),
+            (std::vector<double>{-INFINITY, INFINITY}));
+  EXPECT_EQ(metadata<std::vector<double>>(read, "sigma_ratio"), (std::vector<double>{0.5}));
+  EXPECT_EQ(read.array("SMAPT"), nullptr);
+  EXPECT_EQ(read.entry("SMAPT"), nullptr);
+}
+
+template <class Integer>
+std::string little_endian(Integer value)
+{
+  std::string bytes(sizeof(value), '\0');
+  std::memcpy(&bytes[0], &value, sizeof(value));
+  return bytes;
+}
+
+/// a `.vtp` file with one piece.
+std::string vtp(const std::string& content, const std::string& numbers,
+                const std::string& root = "byte_order=\"LittleEndian\"",
+                const std::string& tail = "")
+{
+  return "<VTKFile type=\"PolyData\" " + root + "><PolyData><Piece " + numbers + ">" + content +
+         "</Piece></PolyData>" + tail + "</VTKFile>\n";
+}
+
+std::string data_array(const std::string& attributes, const std::string& text)
+{
+  return "<DataArray " + attributes + ">" + text + "</DataArray>";
+}
+
+const std::string square_points =
+    "<Points>" +
+    data_array("type=\"Float32\" NumberOfComponents=\"3\" format=\"ascii\" Name=\"Points\"",
+               "0 0 0 1 0 0 1 1 0 0 1 0.25") +
+    "</Points>";
+
+std::string cells(const std::string& kind, const std::string& connectivity,
+                  const std::string& offsets)
+{
+  return "<" + kind + ">" +
+         data_array("type=\"Int64\" Name=\"connectivity\" format=\"ascii\"", connectivity) +
+         data_array("type=\"Int32\" Name=\"offsets\" format=\"ascii\"", offsets) + "</" + kind +
+         ">";
+}
+
+const std::string four = "NumberOfPoints=\"4\"";
+
+using Polygons = std::vector<std::vector<std::size_t>>;
+
+// ---------------------------------------------------------------------------------- images
+
+TEST_F(Io, image_survives_every_format_exactly)
+{
+  const Sample sample;
+  for(const bool compress : {false, true}) {
+    const std::string name = path(compress ? "zlib.vti" : "raw.vti");
+    IO::write_VTI(name, sample.image(), {compress, 6});
+    expect_sample(IO::read_VTI(name), sample);
+    const std::string nrrd = path(compress ? "gzip.nrrd" : "raw.nrrd");
+    IO::write_NRRD(nrrd, sample.image(), {compress, 6});
+    expect_sample(IO::read_NRRD(nrrd), sample);
+  }
+  EXPECT_EQ(number_of_files(), 4u);
+}
+
+TEST_F(Io, vti_has_the_same_bytes_on_a_stream)
+{
+  const Sample sample;
+  for(const bool compress : {false, true}) {
+    std::ostringstream stream;
+    IO::write_VTI(stream, sample.image(), {compress, 1});
+    IO::write_VTI(path("a.vti"), sample.image(), {compress, 1});
+    EXPECT_EQ(stream.str(), bytes_of(path("a.vti")));
+  }
+}
+
+// more than a block of the compressed data, whose end is not the end of a row
+TEST_F(Io, image_larger_than_a_block)
+{
+  const AP::Grid_3 grid(AP::Point_3(0, 0, 0), 1, {999, 67, 11});
+  IO::Grid_image image(grid);
+  const auto value = [](std::size_t row, int x) { return double(row) * 1000 + x / 7; };
+  image.add_array<double>("d", [&](std::size_t row, double* out) {
+    for(int x = 0; x < 999; ++x)
+      out[x] = value(row, x);
+  });
+  IO::write_VTI(path("a.vti"), image);
+  IO::write_NRRD(path("a.nrrd"), image);
+  for(const IO::Stored_image& read : {IO::read_VTI(path("a.vti")), IO::read_NRRD(path("a.nrrd"))}) {
+    const auto& values = std::get<std::vector<double>>(read.array("d")->values);
+    ASSERT_EQ(values.size(), grid.number_of_voxels());
+    for(std::size_t row = 0; row < grid.number_of_rows(); row += 7)
+      for(int x = 0; x < 999; ++x)
+        ASSERT_EQ(values[row * 999 + std::size_t(x)], value(row, x));
+  }
+}
+
+template <class Scalar>
+class Scalar_types : public Io
+{};
+using All_scalars =
+    ::testing::Types<std::int8_t, std::uint8_t, std::int16_t, std::uint16_t, std::int32_t,
+                     std::uint32_t, std::int64_t, std::uint64_t, float, double>;
+TYPED_TEST_SUITE(Scalar_types, All_scalars, );
+
+TYPED_TEST(Scalar_types, keep_their_extremes)
+{
+  using Limits = std::numeric_limits<TypeParam>;
+  const std::vector<TypeParam> values = {Limits::lowest(), Limits::max(), TypeParam(1),
+                                         Limits::min()};
+  IO::Grid_image image(AP::Grid_3(AP::Point_3(1, 2, 3), 2, {2, 1, 2}));
+  image.add_array<TypeParam>("a", [&](std::size_t row, TypeParam* out) {
+    std::copy_n(values.begin() + std::ptrdiff_t(2 * row), 2, out);
+  });
+  EXPECT_EQ(image.arrays()[0].type, IO::scalar_type<TypeParam>);
+  IO::write_VTI(this->path("a.vti"), image);
+  IO::write_NRRD(this->path("a.nrrd"), image);
+  for(const auto& read : {IO::read_VTI(this->path("a.vti")), IO::read_NRRD(this->path("a.nrrd"))})
+    EXPECT_EQ(std::get<std::vector<TypeParam>>(read.array("a")->values), values);
+}
+
+TEST_F(Io, nrrd_of_one_array_is_a_plain_volume)
+{
+  const Sample sample;
+  IO::Grid_image image(sample.grid);
+  sample.add(image, "JMAPT", sample.values);
+  std::ostringstream stream;
+  IO::write_NRRD(stream, image, {false, 1});
+  const std::string text = stream.str();
+  EXPECT_NE(text.find("dimension: 3\n"), std::string::npos);
+  EXPECT_NE(text.find("content: JMAPT\n"), std::string::npos);
+  EXPECT_NE(text.find("space: left-posterior-superior\n"), std::string::npos);
+  EXPECT_NE(text.find("space origin: (-0.1,1e-17,12345.678)\n"), std::string::npos);
+  EXPECT_EQ(text.size() - text.find("\n\n") - 2, sample.values.size() * sizeof(float));
+}
+
+TEST_F(Io, nrrd_of_different_types_becomes_double)
+{
+  const Sample sample;
+  IO::Grid_image image(sample.grid);
+  sample.add(image, "JMAPT", sample.values);
+  image.add_array<std::uint8_t>(
+      "mask", [](std::size_t row, std::uint8_t* out) { std::fill_n(out, 5, std::uint8_t(row)); });
+  IO::write_NRRD(path("a.nrrd"), image);
+  const IO::Stored_image read = IO::read_NRRD(path("a.nrrd"));
+  EXPECT_EQ(std::get<std::vector<double>>(read.array("JMAPT")->values),
+            std::vector<double>(sample.values.begin(), sample.values.end()));
+  EXPECT_EQ(std::get<std::vector<double>>(read.array("mask")->values)[11 * 5 + 4], 11.);
+  EXPECT_THROW(IO::write_NRRD(path("b.nrrd"), IO::Grid_image(sample.grid)), std::invalid_argument);
+  EXPECT_FALSE(fs::exists(path("b.nrrd")));
+  EXPECT_EQ(number_of_files(), 1u);
+}
+
+TEST_F(Io, image_refuses_two_arrays_of_a_name)
+{
+  IO::Grid_image image(Sample().grid);
+  image.add_array<float>("a", [](std::size_t, float*) {});
+  EXPECT_THROW(image.add_array<float>("a", [](std::size_t, float*) {}), std::invalid_argument);
+}
+
+TEST_F(Io, compression_has_levels)
+{
+  const Sample sample;
+  for(const int level : {-1, 10}) {
+    EXPECT_THROW(IO::write_VTI(path("a.vti"), sample.image(), {true, level}),
+                 std::invalid_argument);
+    EXPECT_THROW(IO::write_NRRD(path("a.nrrd"), sample.image(), {true, level}),
+                 std::invalid_argument);
+  }
+  EXPECT_EQ(number_of_files(), 0u);
+}
+
+TEST_F(Io, image_without_arrays_is_an_image)
+{
+  const Sample sample;
+  IO::write_VTI(path("a.vti"), IO::Grid_image(sample.grid));
+  EXPECT_EQ(IO::read_VTI(path("a.vti")).grid, sample.grid);
+}
+
+std::string vti(const std::string& attributes, const std::string& content,
+                const std::string& extent = "0 1 0 0 0 0")
+{
+  return "<?xml version='1.0'?>\n<!-- <a> -->\n<VTKFile type='ImageData' version='0.1'>\n"
+         "<ImageData WholeExtent='0 1 0 0 0 0' " +
+         attributes + ">\n<Piece Extent='" + extent + "'><PointData>" + content +
+         "</PointData></Piece></ImageData></VTKFile>";
+}
+
+const std::string unit = "Origin='1 2 3' Spacing='2 2 2'";
+const std::string two_values = "<DataArray type='Float32' Name='a'> 0.5 +2e0\n</DataArray>";
+
+TEST_F(Io, vti_by_hand)
+{
+  EXPECT_EQ(vti_complaint(vti(unit, two_values)), "");
+  const IO::Stored_image read = IO::read_VTI(path("a.vti"));
+  EXPECT_EQ(read.grid, AP::Grid_3(AP::Point_3(1, 2, 3), 2, {2, 1, 1}));
+  EXPECT_EQ(std::get<std::vector<float>>(read.array("a")->values), (std::vector<float>{0.5f, 2.f}));
+}
+
+TEST_F(Io, vti_that_is_no_map)
+{
+  EXPECT_EQ(
+      vti_complaint(vti("Origin='1 2 3' Spacing='2 2 1'", two_values)),
+      "a.vti: attribute Spacing of element 'ImageData' is '2 2 1': must be the same along the "
+      "three axes");
+  EXPECT_EQ(vti_complaint(vti("Origin='1 2' Spacing='2 2 2'", two_values)),
+            "a.vti: attribute Origin of element 'ImageData' is '1 2': must be 3 numbers");
+  EXPECT_EQ(vti_complaint(vti("Origin='1 nan 2' Spacing='2 2 2'", two_values)),
+            "a.vti: element 'ImageData': origin has a coordinate that is not finite");
+  EXPECT_EQ(vti_complaint(vti(unit + " Direction='0 1 0 1 0 0 0 0 1'", two_values)),
+            "a.vti: attribute Direction of element 'ImageData' is '0 1 0 1 0 0 0 0 1': rotated "
+            "images are not supported");
+  EXPECT_EQ(vti_complaint(vti(unit, two_values, "0 0 0 0 0 0")),
+            "a.vti: element 'Piece' does not cover the image");
+  EXPECT_EQ(vti_complaint(vti(unit, "<DataArray type='Int8' Name='a'>1 2 3</DataArray>")),
+            "a.vti: array 'a': has 3 values: the image has 2 points with 1 component");
+  EXPECT_EQ(vti_complaint(vti(unit, "<DataArray type='Int8' Name='a'>1 200</DataArray>")),
+            "a.vti: array 'a': value 1 is '200': not a number of its type");
+  EXPECT_EQ(vti_complaint(vti(unit, "<DataArray type='Bit' Name='a'>1 0</DataArray>")),
+            "a.vti: array 'a': type is 'Bit': not supported");
+}
+
+TEST_F(Io, nrrd_that_is_no_map)
+{
+  const std::string start = "NRRD0004\ntype: uchar\ndimension: 3\nsizes: 2 1 1\n";
+  const std::string space = "space directions: (1,0,0) (0,1,0) (0,0,1)\nspace origin: (0,0,0)\n";
+  EXPECT_EQ(nrrd_complaint(start + space + "encoding: raw\n\nab"), "");
+  EXPECT_EQ(nrrd_complaint(start + space + "encoding: raw\n\nabc"),
+            "a.nrrd: has 3 bytes of data: its sizes announce 2");
+  EXPECT_EQ(nrrd_complaint(start + space + "encoding: raw\n"),
+            "a.nrrd: ends early: no empty line after the header");
+  EXPECT_EQ(nrrd_complaint(start + "encoding: raw\n\nab"),
+            "a.nrrd: field 'space directions' is missing");
+  EXPECT_EQ(nrrd_complaint(start + space + "encoding: bzip2\n\nab"),
+            "a.nrrd: field 'encoding' is 'bzip2': must be raw or gzip");
+  EXPECT_EQ(nrrd_complaint(start + space + "encoding: gzip\n\nab"),
+            "a.nrrd: the compressed data are damaged: incorrect header check");
+  EXPECT_EQ(nrrd_complaint(start + space + "encoding: raw\ndata file: a.raw\n\n"),
+            "a.nrrd: field 'data file' is not supported");
+  EXPECT_EQ(nrrd_complaint(start + space + "nonsense\n\n"),
+            "a.nrrd: line 7: 'nonsense' is no field");
+  EXPECT_EQ(nrrd_complaint("NRRD0004\ntype: uchar\ndimension: 3\nsizes: 2147483647 2147483647 "
+                           "2147483647\nencoding: gzip\n" +
+                           space + "\nab"),
+            "a.nrrd: has 2 bytes of data: its sizes announce 9.903520300447984e+27");
+  EXPECT_EQ(nrrd_complaint("P5 1 1"), "a.nrrd: is not a NRRD file");
+}
+
+// ---------------------------------------------------------------------------------- meshes
+
+TEST_F(Io, vtp_by_hand)
+{
+  EXPECT_EQ(vtp_complaint(vtp(square_points + cells("Polys", "0 1 2 3 0 1 2", "4 7"), four)), "");
+  const IO::Poly_data data = IO::read_VTP(path("a.vtp"));
+  ASSERT_EQ(data.points.size(), 4u);
+  EXPECT_EQ(data.points[3], AP::Point_3(0, 1, 0.25));
+  EXPECT_EQ(data.polygons, (Polygons{{0, 1, 2, 3}, {0, 1, 2}}));
+  EXPECT_TRUE(data.normals.empty());
+}
+
+TEST_F(Io, vtp_strips_keep_their_orientation)
+{
+  write("a.vtp", vtp(square_points + cells("Strips", "0 1 3 2", "4"), four));
+  EXPECT_EQ(IO::read_VTP(path("a.vtp")).polygons, (Polygons{{0, 1, 3}, {1, 2, 3}}));
+}
+
+TEST_F(Io, vtp_points_with_normals)
+{
+  const std::string normals =
+      "<PointData Normals='N'>" +
+      data_array("type='Float64' Name='other' NumberOfComponents='3'", "9 9 9 9 9 9 9 9 9 9 9 9") +
+      data_array("type='Float64' Name='N' NumberOfComponents='3'", "0 0 1 0 0 1 0 0 1 0 1 0") +
+      "</PointData>";
+  write("a.vtp", vtp(square_points + normals + cells("Verts", "0 1 2 3", "1 2 3 4"),
+                     four + " NumberOfVerts='4'"));
+  const IO::Poly_data data = IO::read_VTP(path("a.vtp"));
+  EXPECT_TRUE(data.polygons.empty());
+  EXPECT_EQ(data.number_of_vertex_cells, 4u);
+  ASSERT_EQ(data.normals.size(), 4u);
+  EXPECT_EQ(data.normals[3], AP::Vector_3(0, 1, 0));
+}
+
+TEST_F(Io, vtp_pieces_become_one)
+{
+  const std::string piece =
+      "<Piece NumberOfPoints='4'>" + square_points + cells("Polys", "0 1 2", "3") + "</Piece>";
+  write("a.vtp", "<VTKFile type='PolyData'><PolyData>" + piece + piece + "</PolyData></VTKFile>");
+  const IO::Poly_data data = IO::read_VTP(path("a.vtp"));
+  EXPECT_EQ(data.points.size(), 8u);
+  EXPECT_EQ(data.polygons, (Polygons{{0, 1, 2}, {4, 5, 6}}));
+}
+
+TEST_F(Io, vtp_indices_are_checked)
+{
+  const auto defect = [&](const std::string& connectivity, const std::string& offsets) {
+    return vtp_complaint(vtp(square_points + cells("Polys", connectivity, offsets), four));
+  };
+  EXPECT_EQ(defect("0 1 4", "3"), "a.vtp: array 'connectivity': value 2 is 4: there are 4 points");
+  EXPECT_EQ(defect("0 -1 2", "3"),
+            "a.vtp: array 'connectivity': value 1 is -1: there are 4 points");
+  EXPECT_EQ(defect("0 1 2", "4"), "a.vtp: array 'offsets': value 0 is 4: must be from 0 to 3");
+  EXPECT_EQ(defect("0 1 2 3", "3 2"), "a.vtp: array 'offsets': value 1 is 2: must be from 3 to 4");
+  EXPECT_EQ(defect("0 1 2 3", "3"),
+            "a.vtp: array 'offsets': ends at 3: array 'connectivity' has 4 values");
+  EXPECT_EQ(defect("0 1 x", "3"),
+            "a.vtp: array 'connectivity': value 2 is 'x': not a number of its type");
+}
+
+TEST_F(Io, vtp_numbers_are_claims)
+{
+  EXPECT_EQ(vtp_complaint(vtp(square_points, "NumberOfPoints='18446744073709551615'")),
+            "a.vtp: array 'Points': has 4 points: NumberOfPoints is 18446744073709551615");
+  EXPECT_EQ(vtp_complaint(vtp(square_points, "NumberOfPoints='-4'")),
+            "a.vtp: attribute NumberOfPoints of element 'Piece' is '-4': must be 1 number");
+  EXPECT_EQ(vtp_complaint(vtp("<Points><DataArray Name='p' type='Float32'>1 2</DataArray></Points>",
+                              "NumberOfPoints='1'")),
+            "a.vtp: array 'p': has 2 values in groups of 1: 3 coordinates are needed");
+}
+
+TEST_F(Io, vtk_xml_that_cannot_be_read)
+{
+  EXPECT_EQ(vtp_complaint(""), "a.vtp: is empty");
+  EXPECT_EQ(vtp_complaint("OFF\n0 0 0\n"), "a.vtp: line 1: is not XML");
+  EXPECT_EQ(vtp_complaint("<svg></svg>"), "a.vtp: is not a VTK XML file");
+  EXPECT_EQ(vtp_complaint("<VTKFile type=\"PolyData\">\n<PolyData>"),
+            "a.vtp: line 2: ends early: element 'PolyData' is not closed");
+  EXPECT_EQ(vtp_complaint("<VTKFile>\n</VTKFiles>"),
+            "a.vtp: line 2: the end tag 'VTKFiles' matches no start tag");
+  EXPECT_EQ(vtp_complaint("<!DOCTYPE a [<!ENTITY b 'c'>]><a/>"),
+            "a.vtp: line 1: has a document type or CDATA section, which are not supported");
+  EXPECT_EQ(vtp_complaint("<VTKFile type=\"ImageData\"><ImageData/></VTKFile>"),
+            "a.vtp: holds 'ImageData': PolyData is needed");
+  EXPECT_EQ(vtp_complaint(vtp("", four, "byte_order=\"BigEndian\"")),
+            "a.vtp: byte_order is not LittleEndian: not supported; write the file in ascii or on a "
+            "little-endian machine");
+  EXPECT_EQ(
+      vtp_complaint(vtp("", four, "compressor=\"vtkLZ4DataCompressor\"")),
+      "a.vtp: compressor is 'vtkLZ4DataCompressor': not supported; write the file with zlib or "
+      "without compression");
+  EXPECT_EQ(complaint([&] { IO::read_VTP(path("absent.vtp")); }),
+            "absent.vtp: cannot be opened: No such file or directory");
+  EXPECT_NE(complaint([&] { IO::read_VTP(folder.string()); }).find("Is a directory"),
+            std::string::npos);
+}
+
+// a million nested elements neither exhaust the stack nor take long
+TEST_F(Io, vtk_xml_nested_without_end)
+{
+  std::string bytes;
+  for(int i = 0; i < 1100000; ++i)
+    bytes += "<a>";
+  EXPECT_EQ(vtp_complaint(bytes), "a.vtp: line 1: has more than 1000000 elements");
+}
+
+std::string appended_points(const std::string& root, const std::string& bytes,
+                            const std::string& encoding = "raw", const std::string& offset = "0")
+{
+  return vtp("<Points>" +
+                 data_array("type='Float64' NumberOfComponents='3' Name='P' format='appended' "
+                            "offset='" +
+                                offset + "'",
+                            "") +
+                 "</Points>",
+             "NumberOfPoints='1'", root,
+             "<AppendedData encoding=\"" + encoding + "\">_" + bytes + "</AppendedData>");
+}
+
+TEST_F(Io, vtk_appended_data_are_claims)
+{
+  const std::string root = "header_type='UInt64'";
+  const std::string zlib = root + " compressor='vtkZLibDataCompressor'";
+  const auto huge = little_endian(std::uint64_t(1) << 62);
+  const auto one = little_endian(std::uint64_t(1));
+  const auto three =
+      little_endian(std::uint64_t(24)) + little_endian(1.) + little_endian(2.) + little_endian(3.);
+  EXPECT_EQ(vtp_complaint(appended_points(root, three)), "");
+  EXPECT_EQ(IO::read_VTP(path("a.vtp")).points.front(), AP::Point_3(1, 2, 3));
+  EXPECT_EQ(vtp_complaint(appended_points(root, huge)),
+            "a.vtp: array 'P': claims 4611686018427387904 bytes: more than are left in the file");
+  EXPECT_EQ(vtp_complaint(appended_points(root, three, "raw", "99999")),
+            "a.vtp: array 'P': offset is 99999: the appended data have 58 bytes");
+  EXPECT_EQ(vtp_complaint(appended_points(root, three, "raw", "-1")),
+            "a.vtp: array 'P': offset is '-1': not a number of bytes");
+  EXPECT_EQ(vtp_complaint(appended_points(zlib, huge)),
+            "a.vtp: array 'P': claims 4611686018427387904 compressed blocks: more than fit in the "
+            "file");
+  EXPECT_EQ(vtp_complaint(appended_points(zlib, one + huge + huge + huge)),
+            "a.vtp: array 'P': block 0 claims 4611686018427387904 bytes: more than are left in the "
+            "file");
+  EXPECT_EQ(vtp_complaint(appended_points(zlib, one + huge + huge + one + "x")),
+            "a.vtp: array 'P': the compressed data end early");
+  EXPECT_EQ(vtp_complaint(appended_points(root, "!!!!", "base64")),
+            "a.vtp: array 'P': is not base64: has the character '!'");
+  EXPECT_EQ(vtp_complaint(appended_points(root, "AAAA", "base64")),
+            "a.vtp: array 'P': ends early: needs 8 bytes, has 3");
+}
+
+// every prefix and every changed byte of a good file is read or refused, nothing else
+TEST_F(Io, damaged_files_are_read_or_refused)
+{
+  const Sample sample;
+  std::ostringstream compressed, plain, nrrd;
+  IO::write_VTI(compressed, sample.image());
+  IO::write_VTI(plain, sample.image(), {false, 1});
+  IO::write_NRRD(nrrd, sample.image());
+  const std::string mesh = vtp(square_points + cells("Polys", "0 1 2 3 0 1 2", "4 7"), four);
+  std::mt19937 random(1);
+  for(const std::string& good : {compressed.str(), plain.str(), nrrd.str(), mesh}) {
+    for(std::size_t trial = 0; trial < 400; ++trial) {
+      std::string bytes = good.substr(0, trial % 2 == 0 ? good.size() : random() % good.size());
+      for(std::size_t change = 0; change < trial % 4 && !bytes.empty(); ++change)
+        bytes[random() % bytes.size()] = char(random());
+      vti_complaint(bytes);
+      vtp_complaint(bytes);
+      nrrd_complaint(bytes);
+    }
+  }
+}
+
+// ---------------------------------------------------------------------------------- output
+
+TEST_F(Io, file_appears_whole_or_not_at_all)
+{
+  const std::string name = write("a.txt", "old");
+  {
+    IO::internal::Atomic_file file(name);
+    file.stream() << "new";
+    EXPECT_TRUE(file.is_seekable());
+  }
+  EXPECT_EQ(bytes_of(name), "old");
+  EXPECT_EQ(number_of_files(), 1u);
+  {
+    IO::internal::Atomic_file file(name);
+    file.stream() << "new";
+    EXPECT_EQ(bytes_of(name), "old");
+    file.commit();
+  }
+  EXPECT_EQ(bytes_of(name), "new");
+  EXPECT_EQ(number_of_files(), 1u);
+}
+
+TEST_F(Io, file_is_written_through_a_link)
+{
+  write("a.txt", "old");
+  fs::create_symlink("a.txt", folder / "link");
+  IO::internal::Atomic_file file(path("link"));
+  file.stream() << "new";
+  file.commit();
+  EXPECT_TRUE(fs::is_symlink(folder / "link"));
+  EXPECT_EQ(bytes_of(path("a.txt")), "new");
+}
+
+TEST_F(Io, file_that_cannot_be_written)
+{
+  const Sample sample;
+  const IO::Grid_image image = sample.image();
+  EXPECT_EQ(complaint([&] { IO::write_VTI(path("absent/a.vti"), image); }),
+            "absent/a.vti: cannot be created: No such file or directory");
+  EXPECT_THROW(IO::write_NRRD(folder.string(), image), IO::Output_error);
+  if(fs::exists("/dev/full")) {
+    EXPECT_EQ(complaint([&] { IO::write_VTI("/dev/full", image); }),
+              "/dev/full: cannot be written: No space left on device");
+    EXPECT_EQ(complaint([&] { IO::write_NRRD("/dev/full", image); }),
+              "/dev/full: cannot be written: No space left on device");
+  }
+  EXPECT_EQ(number_of_files(), 0u);
+}
+
+TEST_F(Io, file_of_an_image_that_throws_is_removed)
+{
+  IO::Grid_image image(Sample().grid);
+  image.add_array<float>("a", [](std::size_t row, float*) {
+    if(row == 5)
+      throw std::runtime_error("row 5");
+  });
+  for(const bool compress : {false, true}) {
+    EXPECT_EQ(complaint([&] { IO::write_VTI(path("a.vti"), image, {compress, 1}); }), "row 5");
+    EXPECT_EQ(complaint([&] { IO::write_NRRD(path("a.nrrd"), image, {compress, 1}); }), "row 5");
+  }
+  EXPECT_EQ(number_of_files(), 0u);
+}
+
+// ---------------------------------------------------------------------------------- tables
+
+std::vector<IO::Query> queries(const std::string& text)
+{
+  std::istringstream in(text);
+  return IO::read_queries(in, "points.csv");
+}
+
+std::string queries_complaint(const std::string& text)
+{
+  try {
+    queries(text);
+  } catch(const std::runtime_error& error) {
+    return error.what();
+  }
+  return "";
+}
+
+TEST(Csv, queries)
+{
+  const auto q = queries("\xEF\xBB\xBF# made by hand\r\n\r\nname,radius, y ,x,\"z\",sigma\r\n"
+                         "\"a, \"\"b\"\"\nc\",0.5,2,1,+3e-1,\n\n  # again\n,1,5,4,\"6\",0.25");
+  ASSERT_EQ(q.size(), 2u);
+  EXPECT_EQ(q[0].point, AP::Point_3(1, 2, 0.3));
+  EXPECT_EQ(q[0].radius, 0.5);
+  EXPECT_TRUE(std::isnan(q[0].sigma));
+  EXPECT_EQ(q[1].point, AP::Point_3(4, 5, 6));
+  EXPECT_EQ(q[1].sigma, 0.25);
+  EXPECT_TRUE(std::isnan(queries("x,y,z,radius\n1,2,3,4\n").at(0).sigma));
+  EXPECT_TRUE(queries("x,y,z,radius\n").empty());
+}
+
+TEST(Csv, defects_of_queries)
+{
+  const std::string header = "x,y,z,radius,sigma\n\n# one\n1,2,3,4,5\n";
+  EXPECT_EQ(queries_complaint(header + "1,2,3,abc,5\n"),
+            "points.csv: line 5: radius is 'abc': not a number");
+  EXPECT_EQ(queries_complaint(header + "1,2,3,0,5\n"),
+            "points.csv: line 5: radius is '0': must be positive");
+  EXPECT_EQ(queries_complaint(header + "1,nan,3,1,5\n"),
+            "points.csv: line 5: y is 'nan': must be finite");
+  EXPECT_EQ(queries_complaint(header + "1,2,3,1,-1\n"),
+            "points.csv: line 5: sigma is '-1': must be positive");
+  EXPECT_EQ(queries_complaint(header + "1,2,,1,1\n"), "points.csv: line 5: z is '': not a number");
+  EXPECT_EQ(queries_complaint(header + "1,2,3\n"),
+            "points.csv: line 5: radius is missing: there are 3 fields");
+  EXPECT_EQ(queries_complaint(header + "\"1,2\n3,4"), "points.csv: line 5: a quote is not closed");
+  EXPECT_EQ(queries_complaint("1,2,3,4\n"),
+            "points.csv: line 1: column 'x' is missing: the first line must name the columns x, y, "
+            "z, radius[, sigma]");
+  EXPECT_EQ(queries_complaint("x,y,z,radius,y\n"), "points.csv: line 1: column 'y' is there twice");
+  EXPECT_EQ(queries_complaint("# nothing\n"),
+            "points.csv: line 1: is empty: the first line must name the columns x, y, z, radius[, "
+            "sigma]");
+}
+
+TEST(Csv, round_trip)
+{
+  const double third = 1. / 3, tiny = std::numeric_limits<double>::denorm_min();
+  std::stringstream table;
+  IO::CSV_writer writer(table);
+  writer.row("file", "x", std::string("a \"b\", c\nd"), " blank ", "");
+  writer.row(third, tiny, 0.1f, -3, std::uint64_t(18446744073709551615u));
+  EXPECT_NE(table.str().find("\n0.3333333333333333,5e-324,0.1,-3,18446744073709551615\n"),
+            std::string::npos);
+  IO::CSV_reader reader(table, "table");
+  std::vector<std::string> fields;
+  ASSERT_TRUE(reader.read(fields));
+  EXPECT_EQ(fields, (std::vector<std::string>{"file", "x", "a \"b\", c\nd", " blank ", ""}));
+  ASSERT_TRUE(reader.read(fields));
+  double value = 0;
+  EXPECT_TRUE(IO::from_text(fields[0], value));
+  EXPECT_EQ(value, third);
+  EXPECT_TRUE(IO::from_text(fields[1], value));
+  EXPECT_EQ(value, tiny);
+  EXPECT_FALSE(reader.read(fields));
+}
+
+// a comma for the decimal point must neither be written nor expected
+TEST(Csv, locale_does_not_matter)
+{
+  const std::string before = std::setlocale(LC_ALL, nullptr);
+  for(const char* name : {"de_DE.UTF-8", "fr_FR.UTF-8"})
+    if(std::setlocale(LC_ALL, name) != nullptr)
+      break;
+  const Sample sample;
+  const IO::Grid_image image = sample.image();
+  struct Comma : std::numpunct<char>
+  {
+    char do_decimal_point() const override { return ','; }
+    std::string do_grouping() const override { return "\1"; }
+    char do_thousands_sep() const override { return '.'; }
+  };
+  const std::locale global = std::locale::global(std::locale(std::locale(), new Comma));
+  EXPECT_EQ(IO::to_text(1234.5), "1234.5");
+  EXPECT_EQ(queries("x,y,z,radius\n1234.5,2,3,4\n").at(0).point.x(), 1234.5);
+  std::ostringstream vti, nrrd;
+  IO::write_VTI(vti, image, {false, 1});
+  IO::write_NRRD(nrrd, image, {false, 1});
+  std::locale::global(global);
+  std::setlocale(LC_ALL, before.c_str());
+  std::ostringstream vti_before, nrrd_before;
+  IO::write_VTI(vti_before, image, {false, 1});
+  IO::write_NRRD(nrrd_before, image, {false, 1});
+  EXPECT_EQ(vti.str(), vti_before.str());
+  EXPECT_EQ(nrrd.str(), nrrd_before.str());
+}
+
+} // namespace

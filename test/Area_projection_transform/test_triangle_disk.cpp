@@ -1,0 +1,256 @@
+// Copyright (c) 2026 The Area Projection Transform authors.
+//
+// This file is part of the Area_projection_transform package.
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+// The area of a triangle within a disk, on which all exact evaluation rests.
+
+#include "shapes.h"
+
+#include <CGAL/Area_projection_transform/internal/triangle_disk.h>
+
+#include <boost/math/quadrature/gauss_kronrod.hpp>
+
+#include <gtest/gtest.h>
+
+#include <complex>
+
+namespace {
+
+using shapes::pi;
+using Complex = std::complex<double>;
+using Corners = std::array<Complex, 3>;
+
+double area_of(const Corners& c)
+{
+  return 0.5 * std::imag(std::conj(c[1] - c[0]) * (c[2] - c[0]));
+}
+
+double within_disk(const Corners& corners, double radius)
+{
+  return CGAL::Area_projection::internal::triangle_disk_area(corners, radius, area_of(corners));
+}
+
+Corners translated(const Corners& c, Complex by)
+{
+  return {c[0] + by, c[1] + by, c[2] + by};
+}
+
+/// the length of the part of the horizontal line at height `y` within the triangle and the disk.
+double chord(const Corners& corners, double radius, double y)
+{
+  double low = radius, high = -radius;
+  for(int i = 0; i < 3; ++i) {
+    const Complex p = corners[std::size_t(i)], q = corners[std::size_t((i + 1) % 3)];
+    if((p.imag() < y) == (q.imag() < y))
+      continue;
+    const double t = (y - p.imag()) / (q.imag() - p.imag());
+    const double x = p.real() + t * (q.real() - p.real());
+    low = std::min(low, x);
+    high = std::max(high, x);
+  }
+  const double half = std::sqrt(std::max(radius * radius - y * y, 0.));
+  return std::max(std::min(high, half) - std::max(low, -half), 0.);
+}
+
+/// \brief the same area by adaptive quadrature of the chords over their height.
+///
+/// With `y = radius sin(angle)` the integrand has no vertical tangents. It is smooth but for kinks at
+/// the heights of the corners and of the points where edges cross the circle: it is cut there.
+double by_quadrature(const Corners& corners, double radius)
+{
+  std::vector<double> angles{-pi / 2, pi / 2};
+  const auto cut_at = [&](double y) {
+    if(std::abs(y) < radius)
+      angles.push_back(std::asin(y / radius));
+  };
+  for(int i = 0; i < 3; ++i) {
+    const Complex p = corners[std::size_t(i)], d = corners[std::size_t((i + 1) % 3)] - p;
+    cut_at(p.imag());
+    const double middle = -std::real(std::conj(p) * d) / std::norm(d);
+    const double squared = (radius * radius - std::norm(p + middle * d)) / std::norm(d);
+    if(squared > 0)
+      for(const double t : {middle - std::sqrt(squared), middle + std::sqrt(squared)})
+        cut_at(p.imag() + t * d.imag());
+  }
+  std::sort(angles.begin(), angles.end());
+  double sum = 0;
+  for(std::size_t i = 0; i + 1 < angles.size(); ++i)
+    if(angles[i] < angles[i + 1])
+      sum += boost::math::quadrature::gauss_kronrod<double, 31>::integrate(
+          [&](double angle) {
+            return radius * std::cos(angle) * chord(corners, radius, radius * std::sin(angle));
+          },
+          angles[i], angles[i + 1], 5, 1e-12);
+  return sum;
+}
+
+Corners random_triangle(shapes::Random& random, double extent)
+{
+  Corners corners;
+  for(Complex& p : corners) {
+    const double x = random(-extent, extent);
+    p = {x, random(-extent, extent)};
+  }
+  if(area_of(corners) < 0)
+    std::swap(corners[1], corners[2]);
+  return corners;
+}
+
+// The pieces are analytic, and the sum of a few of them is rounded a few times. Between the heights
+// of two corners that nearly agree, a rounded height still finds the edge up to 1e-16 times its slope.
+constexpr double tolerance = 1e-11;
+
+TEST(Triangle_disk, agrees_with_adaptive_quadrature_on_random_triangles)
+{
+  shapes::Random random(1);
+  int partial = 0;
+  for(int n = 0; n < 3000; ++n) {
+    const Corners corners = random_triangle(random, n % 2 ? 1.5 : 4.);
+    const double area = within_disk(corners, 1.);
+    ASSERT_NEAR(area, by_quadrature(corners, 1.), tolerance) << "triangle " << n;
+    partial += area > 1e-3 && area < area_of(corners) - 1e-3 && area < pi - 1e-3;
+  }
+  EXPECT_GT(partial, 1000); // most of them are the cases that matter
+}
+
+TEST(Triangle_disk, agrees_with_adaptive_quadrature_on_slivers)
+{
+  shapes::Random random(2);
+  for(int n = 0; n < 1000; ++n) {
+    Corners corners = random_triangle(random, 2.);
+    // The third corner comes to lie close to the line through the others.
+    const double t = random(-0.5, 1.5), height = std::pow(10., -random(1, 9));
+    const Complex along = corners[1] - corners[0];
+    corners[2] = corners[0] + t * along + height * Complex(0, 1) * along;
+    ASSERT_NEAR(within_disk(corners, 1.), by_quadrature(corners, 1.), tolerance)
+        << "triangle " << n << " of height " << height;
+  }
+}
+
+TEST(Triangle_disk, a_disk_within_the_triangle_counts_fully)
+{
+  const Corners corners{Complex(-10, -5), Complex(10, -5), Complex(0, 15)};
+  for(const double radius : {1e-9, 1e-3, 1., 4.})
+    EXPECT_NEAR(within_disk(corners, radius), pi * radius * radius, 1e-14 * radius * radius);
+}
+
+TEST(Triangle_disk, a_triangle_within_the_disk_counts_fully)
+{
+  shapes::Random random(3);
+  for(int n = 0; n < 1000; ++n) {
+    const Corners corners = random_triangle(random, 0.7); // corners within 0.99
+    ASSERT_NEAR(within_disk(corners, 1.), area_of(corners), 1e-15);
+  }
+}
+
+TEST(Triangle_disk, nothing_is_common_to_what_is_apart)
+{
+  shapes::Random random(4);
+  for(int n = 0; n < 1000; ++n) {
+    const Corners corners =
+        translated(random_triangle(random, 1.), std::polar(2.5, random(0, 2 * pi)));
+    ASSERT_EQ(within_disk(corners, 1.), 0.); // the corners are more than 2.5 - sqrt(2) away
+  }
+}
+
+TEST(Triangle_disk, tangent_edges_neither_add_nor_remove)
+{
+  // An equilateral triangle with its incircle; turned, so that the touching points are rounded.
+  for(int n = 0; n < 360; ++n) {
+    Corners corners;
+    for(int i = 0; i < 3; ++i)
+      corners[std::size_t(i)] = std::polar(2., n * pi / 180 + 2 * pi * i / 3);
+    ASSERT_NEAR(within_disk(corners, 1.), pi, 1e-7) << n; // a cut by 1e-16 costs (1e-16)^(3/4)
+    // A triangle on the other side of such an edge.
+    const Corners outside{corners[1], corners[0], -2.5 * corners[2]};
+    ASSERT_NEAR(within_disk(outside, 1.), 0, 1e-7) << n;
+  }
+}
+
+TEST(Triangle_disk, a_corner_at_the_centre_cuts_a_sector)
+{
+  for(int n = 1; n < 180; ++n) {
+    const double angle = n * pi / 180;
+    // The far corners are outside of the disk, and so is the edge between them.
+    const double reach = 2. / std::cos(angle / 2);
+    const Corners corners{Complex(0, 0), Complex(reach, 0), std::polar(reach, angle)};
+    ASSERT_NEAR(within_disk(corners, 1.), angle / 2, 1e-14) << n;
+  }
+}
+
+TEST(Triangle_disk, an_edge_through_the_centre_leaves_half)
+{
+  const Corners corners{Complex(-5, 0), Complex(5, 0), Complex(0, 9)};
+  EXPECT_NEAR(within_disk(corners, 1.), pi / 2, 1e-14);
+}
+
+// Two triangles share out a convex quadrilateral: their parts add up to its part.
+TEST(Triangle_disk, the_parts_of_a_cut_triangle_add_up)
+{
+  shapes::Random random(5);
+  for(int n = 0; n < 2000; ++n) {
+    const Corners corners = random_triangle(random, 3.);
+    const double t = random();
+    const Complex cut = corners[1] + t * (corners[2] - corners[1]);
+    const double parts = within_disk({corners[0], corners[1], cut}, 1.) +
+                         within_disk({corners[0], cut, corners[2]}, 1.);
+    ASSERT_NEAR(parts, within_disk(corners, 1.), 1e-12) << n;
+  }
+}
+
+// Moving the triangle by δ changes the area by at most the length of the boundary times δ: here δ is
+// the rounding of the coordinates. Jumps would show as errors of order 1.
+TEST(Triangle_disk, is_continuous_where_corners_and_edges_touch_the_circle)
+{
+  for(int n = 0; n < 72; ++n) {
+    const Complex rim = std::polar(1., n * pi / 36), tangent = rim * Complex(0, 1);
+    const std::vector<Corners> touching{
+        {rim, 2. * rim - tangent, 2. * rim + tangent},                 // a corner, from outside
+        {rim, -0.1 * rim + 0.2 * tangent, -0.1 * rim - 0.2 * tangent}, // a corner, from inside
+        {rim - tangent, 2. * rim, rim + tangent},                      // an edge, from outside
+        {rim + tangent, -3. * rim, rim - tangent},                     // an edge, from inside
+    };
+    for(Corners corners : touching) {
+      if(area_of(corners) < 0)
+        std::swap(corners[1], corners[2]);
+      const double expected = by_quadrature(corners, 1.);
+      for(const double delta : {0., 1e-16, -1e-16, 1e-15, -1e-15, 1e-12, -1e-12})
+        ASSERT_NEAR(within_disk(translated(corners, delta * rim), 1.), expected, 1e-7)
+            << n << ' ' << delta;
+    }
+  }
+}
+
+TEST(Triangle_disk, scales_with_the_square_of_the_length)
+{
+  shapes::Random random(6);
+  for(int n = 0; n < 500; ++n) {
+    const Corners corners = random_triangle(random, 2.);
+    const double area = within_disk(corners, 1.);
+    for(const double factor : {1e-6, 1e6}) {
+      const Corners larger{factor * corners[0], factor * corners[1], factor * corners[2]};
+      ASSERT_NEAR(within_disk(larger, factor) / (factor * factor), area, 1e-12);
+    }
+  }
+}
+
+// The limits of radius zero and infinity.
+TEST(Triangle_disk, grows_with_the_radius_from_nothing_to_the_triangle)
+{
+  shapes::Random random(7);
+  for(int n = 0; n < 200; ++n) {
+    const Corners corners = random_triangle(random, 1.);
+    double before = 0;
+    for(double radius = 1e-6; radius < 1e6; radius *= 1.3) {
+      const double area = within_disk(corners, radius);
+      ASSERT_GE(area, before - 1e-13);
+      ASSERT_LE(area, std::min(area_of(corners), (1 + 1e-15) * pi * radius * radius));
+      before = area;
+    }
+    ASSERT_NEAR(before, area_of(corners), 1e-15);
+  }
+}
+
+} // namespace

@@ -1,0 +1,258 @@
+// Copyright (c) 2026 The Area Projection Transform authors.
+//
+// This file is part of the Area_projection_transform package.
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+// mapt evaluate: the transform at given points and radii.
+
+#include "commands.h"
+#include "command_line.h"
+#include "describe_input.h"
+#include "errors.h"
+#include "map_file.h"
+#include "memory.h"
+#include "surface.h"
+#include "text.h"
+#include "threads.h"
+
+#include <CGAL/Area_projection_transform/IO/CSV.h>
+#include <CGAL/Area_projection_transform/at_points.h>
+#include <CGAL/Area_projection_transform/internal/atomic_file.h>
+#include <CGAL/Area_projection_transform/projection/Exact_evaluator.h>
+#include <CGAL/Area_projection_transform/projection/Kd_tree_evaluator.h>
+
+#include <algorithm>
+#include <cmath>
+#include <iostream>
+#include <map>
+
+namespace mapt {
+
+namespace {
+
+struct Evaluate_options
+{
+  std::string mesh;
+  std::string queries;
+  std::string output; // empty or "-": stdout
+  std::string method; // empty: depends on the input
+  std::string side = "inside";
+  double sigma_ratio = 0.5;
+  double sampling_ratio = AP::default_sampling_ratio;
+  Common_options common;
+
+  bool is_to_stdout() const { return output.empty() || output == "-"; }
+};
+
+void add_options(CLI::App& app, Evaluate_options& options)
+{
+  app.add_option("MESH", options.mesh,
+                 "a mesh (.off .obj .ply .stl .vtp), or points with normals (.xyz and these)")
+      ->required()
+      ->type_name("");
+  app.add_option("--at", options.queries,
+                 "a table (.csv) with the columns x,y,z,radius and, if wanted, sigma")
+      ->required()
+      ->type_name("FILE");
+  app.add_option("-o,--output", options.output,
+                 "the table to write: x,y,z,radius,sigma,apt,mapt (default: standard output)")
+      ->type_name("FILE");
+  app.add_option("-c,--sigma-ratio", options.sigma_ratio,
+                 "radius of the collecting ball, as a fraction of the radius, where the table has "
+                 "no sigma")
+      ->type_name("FRACTION")
+      ->capture_default_str()
+      ->check(number_between_0_and_1());
+  app.add_option("--side", options.side, "the side of the surface to project to: inside or outside")
+      ->check(CLI::IsMember(std::vector<std::string>{"inside", "outside"}))
+      ->type_name("WORD")
+      ->capture_default_str();
+  app.add_option("--method", options.method,
+                 "exact: whole triangles; kd-tree: samples of the surface (default: exact for "
+                 "meshes, kd-tree for points)")
+      ->check(CLI::IsMember(std::vector<std::string>{"exact", "kd-tree"}))
+      ->type_name("WORD");
+  app.add_option("--sampling-ratio", options.sampling_ratio,
+                 "kd-tree: the spacing of the samples, as a fraction of sigma")
+      ->type_name("FRACTION")
+      ->capture_default_str()
+      ->check(positive_number());
+  add_bytes_option(app, "--max-memory", options.common.max_memory,
+                   "refuse what needs more memory, such as 500M or 2G")
+      ->group("Computation");
+  add_reading_options(app, options.common);
+  add_thread_option(app, options.common);
+}
+
+std::vector<AP::Query> read_queries(const Evaluate_options& options)
+{
+  std::vector<AP::Query> queries;
+  try {
+    for(const AP::IO::Query& row : AP::IO::read_queries(options.queries))
+      queries.push_back(
+          {row.point,
+           {row.radius, std::isnan(row.sigma) ? options.sigma_ratio * row.radius : row.sigma}});
+  } catch(const std::runtime_error& error) {
+    throw Input_error(error.what());
+  }
+  return queries;
+}
+
+// The queries of one radius share the samples, which suit the smallest ball among them.
+std::map<double, double> smallest_sigmas(const std::vector<AP::Query>& queries)
+{
+  std::map<double, double> smallest;
+  for(const AP::Query& query : queries) {
+    const auto found = smallest.emplace(query.scale.radius, query.scale.sigma).first;
+    found->second = std::min(found->second, query.scale.sigma);
+  }
+  return smallest;
+}
+
+void check_memory(const std::map<double, double>& sigmas, double area,
+                  const Evaluate_options& options)
+{
+  constexpr double bytes_of_surfel = 100; // position, area, and its place in the tree
+  for(const auto& [radius, sigma] : sigmas) {
+    const double spacing = options.sampling_ratio * sigma;
+    const double bytes = bytes_of_surfel * area / (spacing * spacing);
+    if(bytes > options.common.max_memory)
+      throw Input_error(options.mesh + ": samples for a sigma of " + to_text(sigma) + " need " +
+                        bytes_to_text(bytes) +
+                        "; use --method exact, or raise --sampling-ratio or --max-memory (" +
+                        bytes_to_text(options.common.max_memory) + ")");
+  }
+}
+
+std::vector<double> evaluate(const Surface& surface, const std::vector<AP::Query>& queries,
+                             const Evaluate_options& options)
+{
+  using Tag = CGAL::Parallel_if_available_tag;
+  using Mesh = AP::Constant_scale_space<AP::Triangle_surface>;
+  const AP::Side side = options.side == "inside" ? AP::Side::INSIDE : AP::Side::OUTSIDE;
+  const Thread_limit limit(number_of_threads(options.common.threads));
+  if(options.method == "exact")
+    return AP::evaluate_at_points<Tag>(queries, [&](const AP::Scale& scale) {
+      return AP::Exact_evaluator(std::get<Mesh>(surface), scale.radius, side);
+    });
+  const std::map<double, double> sigmas = smallest_sigmas(queries);
+  check_memory(sigmas, area_of(surface), options);
+  return std::visit(
+      [&](const auto& s) {
+        return AP::evaluate_at_points<Tag>(queries, [&](const AP::Scale& scale) {
+          return AP::Kd_tree_evaluator(s, scale.radius, side,
+                                       options.sampling_ratio * sigmas.at(scale.radius));
+        });
+      },
+      surface);
+}
+
+void write_table(std::ostream& stream, const std::vector<AP::Query>& queries,
+                 const std::vector<double>& areas)
+{
+  AP::IO::CSV_writer table(stream);
+  table.row("x", "y", "z", "radius", "sigma", "apt", "mapt");
+  for(std::size_t q = 0; q < queries.size(); ++q) {
+    const AP::Point_3& p = queries[q].point;
+    const AP::Scale& scale = queries[q].scale;
+    table.row(p.x(), p.y(), p.z(), scale.radius, scale.sigma, areas[q],
+              areas[q] * scale.normalization());
+  }
+}
+
+void write_results(const std::vector<AP::Query>& queries, const std::vector<double>& areas,
+                   const Evaluate_options& options, Console& console)
+{
+  auto& json = console.report["outputs"] = nlohmann::ordered_json::array();
+  if(!options.is_to_stdout()) {
+    AP::IO::internal::Atomic_file file(options.output);
+    write_table(file.stream(), queries, areas);
+    file.commit();
+    json.push_back(options.output);
+  } else if(!console.is_json)
+    write_table(std::cout, queries, areas);
+  else {
+    auto& rows = console.report["results"] = nlohmann::ordered_json::array();
+    for(std::size_t q = 0; q < queries.size(); ++q) {
+      const AP::Point_3& p = queries[q].point;
+      const AP::Scale& scale = queries[q].scale;
+      rows.push_back({{"x", p.x()},
+                      {"y", p.y()},
+                      {"z", p.z()},
+                      {"radius", scale.radius},
+                      {"sigma", scale.sigma},
+                      {"apt", areas[q]},
+                      {"mapt", areas[q] * scale.normalization()}});
+    }
+  }
+}
+
+bool read_options(const std::vector<std::string>& arguments, Console& console,
+                  Evaluate_options& options)
+{
+  Command_line app(
+      "mapt evaluate",
+      "Computes, for each point and radius of a table, the area of the surface that, "
+      "moved by the radius along its normals, lands within sigma of the point (apt), and "
+      "the same over the area of a sphere of that radius (mapt).\n"
+      "All lengths are in the units of the mesh.");
+  add_options(app, options);
+  add_console_options(app, console);
+  if(!parse(app, arguments))
+    return false;
+  if(console.is_json && options.output == "-")
+    throw Usage_error("--json and --output - both want standard output: leave one out (without "
+                      "--output the object holds the results)");
+  return true;
+}
+
+void report_parameters(const Evaluate_options& options, const std::vector<AP::Query>& queries,
+                       Console& console)
+{
+  console.report["parameters"] = {{"method", options.method},
+                                  {"side", options.side},
+                                  {"sigma_ratio", options.sigma_ratio},
+                                  {"sampling_ratio", options.sampling_ratio},
+                                  {"threads", number_of_threads(options.common.threads)}};
+  console.report["queries"] = {{"file", options.queries}, {"points", queries.size()}};
+  console.row("points", options.queries + ": " + counted(queries.size(), "row", "rows"));
+  console.row("method", options.method + ", " + options.side);
+  if(queries.empty())
+    console.warn(options.queries + ": nothing to evaluate: the table has no rows");
+}
+
+} // namespace
+
+bool run_evaluate(const std::vector<std::string>& arguments, Console& console)
+{
+  Evaluate_options options;
+  if(!read_options(arguments, console, options))
+    return false;
+  if(options.is_to_stdout())
+    console.give_stdout_away();
+  else
+    check_writable(options.output);
+
+  const std::vector<AP::Query> queries = read_queries(options);
+  const Input input = read_input(options.mesh, options.common.reading);
+  console.report["input"] = {{"file", options.mesh}};
+  console.report["input"].update(to_json(input.report));
+  console.row("mesh", options.mesh + ": " + summary(input));
+  warn_of(input, console);
+  if(input.is_point_set && options.method == "exact")
+    throw Usage_error("--method exact: " + options.mesh +
+                      " has points only, and exact areas need faces; use kd-tree");
+  if(options.method.empty())
+    options.method = input.is_point_set ? "kd-tree" : "exact";
+  report_parameters(options, queries, console);
+
+  const std::vector<double> areas = evaluate(make_surface(input, false), queries, options);
+  write_results(queries, areas, options, console);
+  console.report["peak_memory_bytes"] = peak_memory();
+  if(!options.is_to_stdout())
+    console.row("written", options.output);
+  return true;
+}
+
+} // namespace mapt

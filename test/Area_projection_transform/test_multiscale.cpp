@@ -254,10 +254,27 @@ TEST(Progress, the_callback_hears_of_growing_fractions_up_to_one)
     });
     ASSERT_GE(fractions.size(), setting.scales.size());
     for(std::size_t i = 1; i < fractions.size(); ++i)
-      EXPECT_GT(fractions[i], fractions[i - 1]);
-    EXPECT_GT(fractions.front(), 0);
+      EXPECT_GE(fractions[i], fractions[i - 1]);
+    EXPECT_GE(fractions.front(), 0);
     EXPECT_EQ(fractions.back(), 1);
   }
+}
+
+// A long scale can be stopped in the middle: the callback is asked for each batch of some thousand
+// surfels and each layer of voxels, not only between the scales.
+TEST(Progress, the_callback_is_asked_within_a_scale)
+{
+  const Setting setting(shapes::blob(3, 45));
+  AP::Joint_map map(setting.region, {setting.scales.front()});
+  int calls = 0;
+  AP::project_scales(
+      setting.surface, *setting.region, {setting.scales.front()}, Side::INSIDE,
+      [&] { return AP::Grid_projector(*setting.region); }, map,
+      CGAL::parameters::callback(std::function<bool(double)>([&](double) {
+        ++calls;
+        return true;
+      })));
+  EXPECT_GT(calls, setting.region->grid().size()[2]);
 }
 
 TEST(Progress, the_callback_stops_the_computation)

@@ -87,6 +87,9 @@ private:
 /// have more than 2^30 lattice points.
 inline Grid_3 grid_around(const Bbox_3& box, double spacing, double margin = 0)
 {
+  if(!(spacing > 0) || !std::isfinite(spacing))
+    throw std::invalid_argument("spacing is " + std::to_string(spacing) +
+                                ": must be positive and finite");
   if(!(margin >= 0))
     throw std::invalid_argument("margin is " + std::to_string(margin) + ": must not be negative");
   std::array<double, 3> first;

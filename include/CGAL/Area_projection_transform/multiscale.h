@@ -71,7 +71,16 @@ public:
       : m_steps(steps), m_callback(std::move(callback)), m_visitor(visitor)
   {}
 
-  bool is_cancelled() const { return m_is_cancelled.load(std::memory_order_relaxed); }
+  /// asks the callback, unless another thread is just asking, so that long scales can be stopped.
+  bool is_cancelled()
+  {
+    if(m_callback && !m_is_cancelled) {
+      const std::unique_lock<std::mutex> lock(m_mutex, std::try_to_lock);
+      if(lock)
+        ask();
+    }
+    return m_is_cancelled;
+  }
 
   void scale_begins(std::size_t index, const Scale& scale)
   {
@@ -87,15 +96,20 @@ public:
 
   void step()
   {
-    if(!m_callback)
-      return;
     const std::lock_guard<std::mutex> lock(m_mutex);
     ++m_done;
-    if(!is_cancelled() && !m_callback(double(m_done) / double(m_steps)))
+    ask();
+  }
+
+  bool was_cancelled() const { return m_is_cancelled; }
+
+private:
+  void ask()
+  {
+    if(m_callback && !m_is_cancelled && !m_callback(double(m_done) / double(m_steps)))
       m_is_cancelled = true;
   }
 
-private:
   std::size_t m_steps;
   std::size_t m_done = 0;
   std::function<bool(double)> m_callback;
@@ -161,8 +175,9 @@ void deliver(Projector& projector, const Row_spans& region, std::size_t index, c
 /// \param np optional named parameters among:
 /// \cgalNamedParamsBegin
 ///   \cgalParamNBegin{callback}
-///     \cgalParamDescription{is told the progress, in [0, 1], and answers whether to go on; may be
-///                           called by any of the threads, but never twice at a time}
+///     \cgalParamDescription{is told the progress, in [0, 1], and answers whether to go on; is called
+///                           often (every millisecond or so) by any of the threads, but never twice
+///                           at a time}
 ///     \cgalParamType{an instance of `std::function<bool(double)>`}
 ///     \cgalParamDefault{none}
 ///   \cgalParamNEnd
@@ -212,12 +227,12 @@ Multiscale_summary project_scales(const ScaleSpace& surface, const Row_spans& re
       progress.step();
       internal::deliver(projector, region, index, scales[index], first_layer, layers, sink,
                         cancelled);
-      if(!cancelled())
+      if(!progress.was_cancelled())
         progress.scale_ends(index, scales[index], summary.areas_outside[index]);
       progress.step();
     }
   });
-  summary.is_complete = !cancelled();
+  summary.is_complete = !progress.was_cancelled();
   return summary;
 }
 

@@ -42,7 +42,7 @@ inline Surfel_moments combine(const Surfel_moments& a, const Surfel_moments& b)
 {
   Surfel_moments sum;
   sum.area = a.area + b.area;
-  const double s = a.area / sum.area, t = b.area / sum.area;
+  const double t = sum.area > 0 ? b.area / sum.area : 0.5, s = 1 - t;
   const Vector_3 between = b.position - a.position, turn = b.normal - a.normal;
   sum.position = a.position + t * between;
   sum.normal = a.normal + t * turn;

@@ -16,6 +16,10 @@
 #include <CGAL/Area_projection_transform/scale_space/Constant_scale_space.h>
 #include <CGAL/Area_projection_transform/surfels_from_mesh.h>
 
+#include <memory>
+#include <stdexcept>
+#include <vector>
+
 namespace CGAL {
 namespace Area_projection {
 
@@ -32,10 +36,10 @@ namespace Area_projection {
 /// \param sigma the radius of the collecting ball, positive, in the units of the mesh
 /// \param np optional named parameters: those of `surface_from_mesh()` without interpolated normals,
 /// and `side` (default: `Side::INSIDE`)
-/// \throw std::invalid_argument if `radius` is not positive, a face is not a triangle, or a vertex is
-/// not finite.
+/// \throw std::invalid_argument if `radius` or `sigma` is not positive, normals are interpolated, a
+/// face is not a triangle, or a vertex is not finite.
 ///
-/// Complexity: `O(n log n)` for `n` faces.
+/// Complexity: linear in the number of faces.
 template <class TriangleMesh, class Point,
           class NamedParameters = CGAL::parameters::Default_named_parameters>
 double area_projection_transform(const TriangleMesh& mesh, const Point& x, double radius,
@@ -45,9 +49,14 @@ double area_projection_transform(const TriangleMesh& mesh, const Point& x, doubl
   using CGAL::parameters::choose_parameter;
   using CGAL::parameters::get_parameter;
   internal::check_positive(sigma, "sigma");
-  const Constant_scale_space surface(surface_from_mesh(mesh, np));
+  internal::check_positive(radius, "radius");
   const Side side = choose_parameter(get_parameter(np, parameters::tags::side), Side(Side::INSIDE));
-  return Exact_evaluator(surface, radius, side)(x, sigma);
+  const Point_3 center = internal::to_point(x);
+  double area = 0;
+  for(const internal::Projected_triangle& triangle : internal::project_triangles(
+          surface_from_mesh(mesh, np), internal::signed_distance(side, radius)))
+    area += triangle.area_within(center, sigma);
+  return area;
 }
 
 /// \ingroup PkgAreaProjectionTransformRef
@@ -90,9 +99,11 @@ double area_projection_transform(const TriangleMesh& mesh, const Point& x, doubl
 /// \throw std::invalid_argument if a parameter is out of range, the radii do not ascend, a face is not a
 /// triangle, a vertex is not finite, or no face has an area.
 ///
-/// Complexity: for each scale, linear in the number of voxels of the region and in the squared number
-/// of surfels to a `σ`; hardly depends on the number of faces. Memory: 9 bytes for each voxel of the
-/// region, 4 more for each further thread.
+/// Complexity: for each scale, linear in the number of voxels of the region and in the area of the
+/// surface in voxels, divided by the square of `default_sampling_ratio`; `O(n log n)` for `n` faces once.
+/// Memory: 9 bytes for each voxel with storage (from the first to the last of the region in each row),
+/// 4 more for each further thread; one byte for each voxel of the grid while the interior of a surface
+/// that is not closed is found.
 template <class ConcurrencyTag = CGAL::Sequential_tag, class TriangleMesh,
           class NamedParameters = CGAL::parameters::Default_named_parameters>
 Joint_map

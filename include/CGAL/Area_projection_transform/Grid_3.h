@@ -83,8 +83,8 @@ private:
 /// it with at least `margin` to spare on every side.
 ///
 /// Centring makes the lattice follow the shape under translation.
-/// \throw std::invalid_argument if `spacing` is not positive, `margin` is negative, or a side would
-/// have more than 2^30 lattice points.
+/// \throw std::invalid_argument if `spacing` is not positive, `margin` is negative, `box` is empty, or
+/// a side would have more than 2^24 lattice points.
 inline Grid_3 grid_around(const Bbox_3& box, double spacing, double margin = 0)
 {
   if(!(spacing > 0) || !std::isfinite(spacing))
@@ -96,8 +96,10 @@ inline Grid_3 grid_around(const Bbox_3& box, double spacing, double margin = 0)
   std::array<int, 3> size;
   for(int axis = 0; axis < 3; ++axis) {
     const double extent = box.max(axis) - box.min(axis) + 2 * margin;
+    if(!(box.max(axis) >= box.min(axis)) || !std::isfinite(extent))
+      throw std::invalid_argument("box is empty or not finite");
     const double intervals = std::ceil(extent / spacing);
-    if(!(intervals < double(1 << 30)))
+    if(!(intervals < double(1 << 24)))
       throw std::invalid_argument("spacing is " + std::to_string(spacing) +
                                   ": too small for a box " + std::to_string(extent) + " wide");
     size[axis] = int(intervals) + 1;

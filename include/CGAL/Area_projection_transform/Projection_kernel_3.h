@@ -34,6 +34,23 @@ struct Ball_kernel_3
 /// \cond SKIP_IN_MANUAL
 namespace internal {
 
+inline void check_kernel(const std::vector<Nested_ball>& kernel)
+{
+  double sum = 0;
+  for(const Nested_ball& ball : kernel) {
+    if(!(ball.relative_radius > 0 && ball.relative_radius <= 1))
+      throw std::invalid_argument("kernel has a ball of relative radius " +
+                                  std::to_string(ball.relative_radius) + ": must be in (0, 1]");
+    if(!(ball.weight > 0))
+      throw std::invalid_argument("kernel has a ball of weight " + std::to_string(ball.weight) +
+                                  ": must be positive");
+    sum += ball.weight;
+  }
+  if(!(sum <= 1 + 1e-9))
+    throw std::invalid_argument("kernel has weights that sum to " + std::to_string(sum) +
+                                ": must be at most 1");
+}
+
 /// splits a profile that falls from 1 at the centre to 0 at `σ` into `number` nested balls: ball
 /// `j` reaches to where the profile has fallen to the middle of its step.
 template <class RadiusOfValue>

@@ -88,9 +88,12 @@ public:
   /// the number of voxels that have storage: those of interest and those between their runs.
   std::size_t storage_size() const { return m_storage; }
 
-  /// the place of a voxel in the storage of the region, or `storage_size()` if it has none.
+  /// the place of a voxel in the storage of the region, or `storage_size()` if it has none; the voxel
+  /// may lie outside of the grid.
   std::size_t index(int i, int j, int k) const
   {
+    if(!has_row(j, k))
+      return m_storage;
     const Hull& h = m_hulls[m_grid.row(j, k)];
     return i >= h.first && i < h.last ? h.offset + std::size_t(i - h.first) : m_storage;
   }
@@ -98,11 +101,18 @@ public:
   /// whether a voxel is of interest.
   bool contains(int i, int j, int k) const
   {
+    if(!has_row(j, k))
+      return false;
     const auto [begin, end] = runs(m_grid.row(j, k));
     return std::any_of(begin, end, [i](const Run& r) { return i >= r.first && i < r.last; });
   }
 
 private:
+  bool has_row(int j, int k) const
+  {
+    return j >= 0 && j < m_grid.size()[1] && k >= 0 && k < m_grid.size()[2];
+  }
+
   void append_row(const Run* begin, const Run* end)
   {
     m_first_run.push_back(m_runs.size());

@@ -8,12 +8,15 @@
 #define CGAL_AREA_PROJECTION_TRANSFORM_TRIANGLE_SURFACE_H
 
 #include <CGAL/Area_projection_transform/Surfels.h>
+#include <CGAL/Area_projection_transform/scales.h>
 
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <type_traits>
+#include <cstdint>
+#include <numeric>
 #include <utility>
+#include <vector>
 
 namespace CGAL {
 namespace Area_projection {
@@ -33,10 +36,10 @@ struct Triangle_surface
   std::vector<Point_3> points;
   std::vector<Triangle> triangles;
   std::vector<Vector_3> normals;           ///< per triangle, unit vectors that point outward
-  std::vector<double> areas;               ///< per triangle, positive
+  std::vector<double> areas;               ///< per triangle, not negative
   std::vector<std::uint32_t> sources;      ///< per triangle, the face of the input
   std::vector<Vector_3> vertex_normals;    ///< per point, unit vectors; empty: flat triangles
-  std::size_t number_of_skipped_faces = 0; ///< faces of the input without area or normal
+  std::size_t number_of_skipped_faces = 0; ///< faces of the input without extent or normal
 
   std::size_t size() const { return triangles.size(); }
   bool empty() const { return triangles.empty(); }
@@ -64,6 +67,7 @@ struct Triangle_surface
   /// Each triangle is cut into pieces that spread no more than a square of side `spacing`, at least
   /// one, and each piece is represented by its centroid. The areas of the surfels of a triangle sum to its area.
   /// The samples depend on the triangle and on `spacing` only, not on other triangles or batches.
+  /// \throw std::invalid_argument if `spacing` is not positive.
   template <class BatchSink>
   void for_each_batch(double spacing, BatchSink&& sink) const;
 
@@ -189,6 +193,7 @@ void Triangle_surface::for_each_surfel_of_triangle(std::size_t t, double spacing
 template <class BatchSink>
 void Triangle_surface::for_each_batch(double spacing, BatchSink&& sink) const
 {
+  internal::check_positive(spacing, "spacing");
   internal::Batcher<Surfels, BatchSink> batcher(sink);
   for(std::size_t t = 0; t < size(); ++t)
     for_each_surfel_of_triangle(t, spacing,

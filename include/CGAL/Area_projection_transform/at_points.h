@@ -36,7 +36,7 @@ struct Query
 ///
 /// \tparam ConcurrencyTag `CGAL::Sequential_tag`, `CGAL::Parallel_tag` or
 /// `CGAL::Parallel_if_available_tag`
-/// \tparam MakeEvaluator a function that takes a `Scale`, the first of its radius among the queries,
+/// \tparam MakeEvaluator a function that takes a `Scale`, that of the smallest `σ` of its radius,
 /// and returns a model of `ProjectionEvaluator`
 ///
 /// \return for each query, the area that is projected into its ball
@@ -53,7 +53,8 @@ evaluate_at_points(const std::vector<Query>& queries, MakeEvaluator&& make_evalu
   std::vector<std::size_t> order(queries.size());
   std::iota(order.begin(), order.end(), std::size_t(0));
   std::stable_sort(order.begin(), order.end(), [&](std::size_t a, std::size_t b) {
-    return queries[a].scale.radius < queries[b].scale.radius;
+    const Scale &s = queries[a].scale, &t = queries[b].scale;
+    return s.radius != t.radius ? s.radius < t.radius : s.sigma < t.sigma;
   });
 
   std::vector<double> areas(queries.size(), 0.);

@@ -36,7 +36,8 @@ struct Forecast
 /// \param threads the number of scales that are computed at a time
 /// \param maps the number of maps of floats that are kept beside the joint map
 ///
-/// The work is an upper estimate: surfels that land close together are merged.
+/// The work is an estimate, good to a factor of two or three: surfels that land close together are
+/// merged, and halved triangles are smaller than the spacing allows.
 inline Forecast forecast_joint_map(double voxels, double rows, double faces, double area,
                                    double voxel_size, const std::vector<Scale>& scales,
                                    double sampling_ratio, double threads, double maps)
@@ -48,9 +49,9 @@ inline Forecast forecast_joint_map(double voxels, double rows, double faces, dou
     const double surfels = std::max(area / (spacing * spacing), 0.5 * faces);
     forecast.writes += 2 * surfels * pi * (scale.sigma / voxel_size) * (scale.sigma / voxel_size);
   }
-  const double accumulator = 4 * voxels + (4 + 12) * rows; // differences; hulls of the rows
-  const double region = 40 * rows;                         // hulls and runs
-  const double surface = 400 * faces;                      // triangles, tree, and room to build it
+  const double accumulator = 4 * voxels + 60 * rows; // differences; hulls of padded rows
+  const double region = 40 * rows;                   // hulls and runs
+  const double surface = 400 * faces;                // triangles, tree, and room to build it
   const double working = std::min(threads, double(scales.size())) * accumulator;
   forecast.bytes = (5 + 4 * maps) * voxels + working + region + surface;
   return forecast;

@@ -20,6 +20,7 @@
 #include <functional>
 #include <mutex>
 #include <numeric>
+#include <string>
 #include <type_traits>
 #include <vector>
 
@@ -101,13 +102,16 @@ public:
     ask();
   }
 
+  void cancel() { m_is_cancelled = true; }
+
   bool was_cancelled() const { return m_is_cancelled; }
 
 private:
   void ask()
   {
+    // Once all is done the answer does not matter.
     if(m_callback && !m_is_cancelled && !m_callback(double(m_done) / double(m_steps)))
-      m_is_cancelled = true;
+      m_is_cancelled = m_done < m_steps;
   }
 
   std::size_t m_steps;
@@ -176,7 +180,8 @@ void deliver(Projector& projector, const Row_spans& region, std::size_t index, c
 /// \cgalNamedParamsBegin
 ///   \cgalParamNBegin{callback}
 ///     \cgalParamDescription{is told the progress, in [0, 1], and answers whether to go on; is called
-///                           often (every millisecond or so) by any of the threads, but never twice
+///                           often (for every batch of some
+///                           thousand surfels and every layer of voxels) by any of the threads, but never twice
 ///                           at a time}
 ///     \cgalParamType{an instance of `std::function<bool(double)>`}
 ///     \cgalParamDefault{none}
@@ -188,6 +193,10 @@ void deliver(Projector& projector, const Row_spans& region, std::size_t index, c
 ///     \cgalParamDefault{`Multiscale_default_visitor`}
 ///   \cgalParamNEnd
 /// \cgalNamedParamsEnd
+/// \pre the projectors and the sink were made for `region`, and the sink for `scales`
+/// \return whether all scales were computed, and the area that each lost
+/// \throw std::invalid_argument if a radius or a `σ` is not positive. An exception of a thread stops
+/// the others and is passed on.
 template <class ConcurrencyTag = CGAL::Sequential_tag, class ScaleSpace, class MakeProjector,
           class Sink, class NamedParameters = CGAL::parameters::Default_named_parameters>
 Multiscale_summary project_scales(const ScaleSpace& surface, const Row_spans& region,
@@ -213,23 +222,33 @@ Multiscale_summary project_scales(const ScaleSpace& surface, const Row_spans& re
   });
 
   Multiscale_summary summary;
+  for(std::size_t k = 0; k < scales.size(); ++k) {
+    internal::check_positive(scales[k].radius, "radius of scales[" + std::to_string(k) + "]");
+    internal::check_positive(scales[k].sigma, "sigma of scales[" + std::to_string(k) + "]");
+  }
   summary.areas_outside.assign(scales.size(), 0.);
   std::vector<std::mutex> layers(std::size_t(region.grid().size()[2]));
   std::atomic<std::size_t> next{0};
   const auto cancelled = [&progress] { return progress.is_cancelled(); };
-  internal::run_workers<ConcurrencyTag>(scales.size(), [&](std::size_t worker) {
-    auto projector = make_projector();
-    const std::size_t first_layer = worker * layers.size() / scales.size();
-    for(std::size_t i = next++; i < order.size() && !cancelled(); i = next++) {
-      const std::size_t index = order[i];
-      progress.scale_begins(index, scales[index]);
-      summary.areas_outside[index] = projector.project(surface, scales[index], side, cancelled);
-      progress.step();
-      internal::deliver(projector, region, index, scales[index], first_layer, layers, sink,
-                        cancelled);
-      if(!progress.was_cancelled())
-        progress.scale_ends(index, scales[index], summary.areas_outside[index]);
-      progress.step();
+  internal::run_workers<ConcurrencyTag>(scales.size(), [&](std::size_t worker,
+                                                           std::size_t workers) {
+    try {
+      auto projector = make_projector();
+      const std::size_t first_layer = worker * layers.size() / workers;
+      for(std::size_t i = next++; i < order.size() && !cancelled(); i = next++) {
+        const std::size_t index = order[i];
+        progress.scale_begins(index, scales[index]);
+        summary.areas_outside[index] = projector.project(surface, scales[index], side, cancelled);
+        progress.step();
+        internal::deliver(projector, region, index, scales[index], first_layer, layers, sink,
+                          cancelled);
+        if(!progress.was_cancelled())
+          progress.scale_ends(index, scales[index], summary.areas_outside[index]);
+        progress.step();
+      }
+    } catch(...) {
+      progress.cancel(); // so that the other threads do not go on in vain
+      throw;
     }
   });
   summary.is_complete = !progress.was_cancelled();

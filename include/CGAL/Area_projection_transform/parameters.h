@@ -11,6 +11,8 @@
 
 #include <CGAL/Named_function_parameters.h>
 
+#include <vector>
+
 namespace CGAL {
 namespace Area_projection {
 

@@ -12,6 +12,15 @@
 #include <CGAL/Area_projection_transform/internal/Ball_stencil.h>
 #include <CGAL/Area_projection_transform/internal/signed_crossings.h>
 
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <cstdint>
+#include <stdexcept>
+#include <string>
+#include <utility>
+#include <vector>
+
 namespace CGAL {
 namespace Area_projection {
 
@@ -117,9 +126,10 @@ void append_runs(std::int32_t size, Predicate&& is_inside, std::vector<Row_spans
 /// A voxel is inside if at least three of the six rays from its centre along the axes leave
 /// the surface more often than they enter it. On a closed surface all six agree and this is the
 /// positive winding number; with parts missing it is an approximation, and `coverage` tells how
-/// much was missing. The triangles must face outward.
+/// much was missing. The triangles must face outward: the interior of a closed surface that faces inward is empty.
 ///
-/// Complexity: linear in the number of faces and of grid lines through them; for surfaces that are not
+/// Complexity: linear in the number of grid lines through the bounding rectangles of the faces, and
+/// `O(n log n)` for `n` faces; for surfaces that are not
 /// closed one byte for each voxel of the grid, while it runs.
 inline Interior interior(const Triangle_surface& surface, const Grid_3& grid)
 {
@@ -160,8 +170,10 @@ inline Interior interior(const Triangle_surface& surface, const Grid_3& grid)
 /// \ingroup PkgAreaProjectionTransformInput
 /// \brief returns the voxels within `distance` of a surface, on either side.
 ///
-/// The surface is sampled at half a voxel, so a voxel may be missed whose distance is less by up to a
-/// third of a voxel.
+/// \param distance in the units of the surface
+///
+/// The surface is sampled at half a voxel, so a voxel may be missed whose distance is less by up to
+/// six tenths of a voxel. A point set is taken as it is.
 /// \tparam Source a model of `SurfelSource`
 /// \throw std::invalid_argument if `distance` is not positive.
 template <class Source>

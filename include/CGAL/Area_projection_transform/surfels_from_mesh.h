@@ -14,7 +14,9 @@
 #include <CGAL/boost/graph/iterator.h>
 #include <CGAL/boost/graph/named_params_helper.h>
 
-#include <algorithm>
+#include <cmath>
+#include <cstdint>
+#include <iterator>
 #include <limits>
 #include <stdexcept>
 #include <string>
@@ -51,7 +53,7 @@ inline std::vector<Vector_3> angle_weighted_normals(const Triangle_surface& surf
   return sums;
 }
 
-/// \brief appends a triangle, or counts it as skipped if it has no area or no normal.
+/// \brief appends a triangle, or counts it as skipped if it has no extent or no normal.
 ///
 /// A null `given_normal` and a negative `given_area` mean "from the geometry".
 inline void append_triangle(Triangle_surface& surface, const Triangle_surface::Triangle& triangle,
@@ -63,7 +65,7 @@ inline void append_triangle(Triangle_surface& surface, const Triangle_surface::T
   const double length = std::sqrt(doubled.squared_length());
   const Vector_3 normal = normalized(given_normal ? *given_normal : doubled);
   const double area = given_area < 0 ? 0.5 * length : given_area;
-  if(!(length > 0) || !(area > 0) || !(normal.squared_length() > 0)) {
+  if(!(length > 0) || !(normal.squared_length() > 0)) {
     ++surface.number_of_skipped_faces;
     return;
   }
@@ -75,14 +77,24 @@ inline void append_triangle(Triangle_surface& surface, const Triangle_surface::T
 
 inline void check_number_of_elements(std::size_t number, const char* what)
 {
-  if(number > std::numeric_limits<std::uint32_t>::max())
+  if(number > std::size_t(std::numeric_limits<std::int32_t>::max()))
     throw std::invalid_argument("the input has " + std::to_string(number) + " " + what +
-                                ": at most 2^32 - 1 are supported");
+                                ": at most 2^31 - 1 are supported");
+}
+
+/// the unit vector of a given normal, or the null vector, which skips the face or is no normal.
+inline Vector_3 checked_normal(const Vector_3& normal, const char* what, std::size_t index)
+{
+  const double length = std::sqrt(normal.squared_length());
+  if(!std::isfinite(length))
+    throw std::invalid_argument("the normal of " + std::string(what) + " " + std::to_string(index) +
+                                " is not finite");
+  return length > 0 ? normal / length : normal;
 }
 
 /// the value of a map for a face, or `-1` if the user gave no map.
 template <class FaceAreaMap, class Face>
-double given_area(const FaceAreaMap& map, const Face& face)
+double given_area(const FaceAreaMap& map, const Face& face, std::size_t index)
 {
   if constexpr(std::is_same_v<FaceAreaMap, internal_np::Param_not_found>)
     return -1;
@@ -90,6 +102,7 @@ double given_area(const FaceAreaMap& map, const Face& face)
     const double area = CGAL::to_double(get(map, face));
     if(!(area >= 0) || !std::isfinite(area))
       throw std::invalid_argument("face_area_map has the value " + std::to_string(area) +
+                                  " for face " + std::to_string(index) +
                                   ": must be finite and not negative");
     return area;
   }
@@ -102,8 +115,8 @@ double given_area(const FaceAreaMap& map, const Face& face)
 /// \brief reads a triangle mesh into its flat form.
 ///
 /// Open, holed, self-intersecting meshes of any number of components are fine, closed or not;
-/// faces without area are skipped and counted. Sources are the positions of the faces in
-/// `faces(mesh)`. The mesh is only read, sequentially; its maps need not be thread safe.
+/// faces without extent, or with a null normal, are skipped and counted. Sources are the positions of
+/// the faces in `faces(mesh)`, which are not their indices if the mesh has removed elements. The mesh is only read, sequentially; its maps need not be thread safe.
 ///
 /// \tparam TriangleMesh a model of `FaceListGraph`
 /// \tparam NamedParameters a sequence of \ref bgl_namedparameters "Named Parameters"
@@ -142,8 +155,8 @@ double given_area(const FaceAreaMap& map, const Face& face)
 ///   \cgalParamNEnd
 /// \cgalNamedParamsEnd
 ///
-/// \throw std::invalid_argument if a face is not a triangle, a vertex of a face is not finite, or an
-/// area is negative. The message names the first such element by its position in the mesh.
+/// \throw std::invalid_argument if a face is not a triangle, a vertex of a face or a given normal is
+/// not finite, or a given area is negative. The message names the first such element by its position in the mesh.
 ///
 /// Complexity: linear in the number of vertices and faces.
 template <class TriangleMesh, class NamedParameters = CGAL::parameters::Default_named_parameters>
@@ -177,8 +190,8 @@ Triangle_surface surface_from_mesh(const TriangleMesh& mesh,
     index_of.emplace(v, std::uint32_t(surface.points.size()));
     surface.points.push_back(internal::to_point(get(point_map, v)));
     if constexpr(has_vertex_normals)
-      surface.vertex_normals.push_back(
-          internal::normalized(internal::to_vector(get(vertex_normals, v))));
+      surface.vertex_normals.push_back(internal::checked_normal(
+          internal::to_vector(get(vertex_normals, v)), "vertex", surface.points.size() - 1));
   }
 
   std::size_t source = 0;
@@ -197,9 +210,10 @@ Triangle_surface surface_from_mesh(const TriangleMesh& mesh,
                                   std::to_string(degree) +
                                   " vertices: must be a triangle (see "
                                   "CGAL::Polygon_mesh_processing::triangulate_faces())");
-    const double area = internal::given_area(areas, f);
+    const double area = internal::given_area(areas, f, source);
     if constexpr(has_face_normals) {
-      const Vector_3 normal = internal::to_vector(get(face_normals, f));
+      const Vector_3 normal =
+          internal::checked_normal(internal::to_vector(get(face_normals, f)), "face", source);
       internal::append_triangle(surface, triangle, source, &normal, area);
     } else
       internal::append_triangle(surface, triangle, source, nullptr, area);

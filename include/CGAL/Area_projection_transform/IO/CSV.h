@@ -110,10 +110,12 @@ public:
       const std::string_view trimmed = internal::trim(text);
       if(trimmed.empty() || trimmed.front() == '#')
         continue;
-      while(std::count(text.begin(), text.end(), '"') % 2 != 0) {
+      auto quotes = std::count(text.begin(), text.end(), '"');
+      while(quotes % 2 != 0) {
         std::string more;
         if(!next_line(more))
           fail("a quote is not closed");
+        quotes += std::count(more.begin(), more.end(), '"');
         text += '\n' + more;
       }
       split(text, fields);

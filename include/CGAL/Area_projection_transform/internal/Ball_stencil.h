@@ -14,6 +14,8 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <cstdint>
+#include <vector>
 
 namespace CGAL {
 namespace Area_projection {
@@ -117,8 +119,8 @@ private:
           double largest = 0;
           for(int i = 0; i < lanes; ++i)
             largest = std::max(largest, squared_half(y + i));
-          // A little more, for the rounding of floats.
-          groups.push_back({float(y), float(z), float(std::sqrt(largest) + 1e-3), y + stride * z});
+          // A little more, for the rounding of coordinates of voxels.
+          groups.push_back({float(y), float(z), float(std::sqrt(largest) + 0.02), y + stride * z});
           y += lanes;
         } else
           ++y;

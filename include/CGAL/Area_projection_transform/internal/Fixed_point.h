@@ -19,8 +19,7 @@ namespace internal {
 
 /// \brief areas as integers, so that sums do not depend on the order of their terms.
 ///
-/// The quantum is a power of two with `total <= 2^30` quanta: sums fit a signed 32-bit integer, and
-/// the last bits of `total`, which do depend on the order of a sum, do not matter.
+/// The quantum is a power of two with `total <= 2^30` quanta: sums fit a signed 32-bit integer.
 class Fixed_point
 {
 public:
@@ -30,9 +29,6 @@ public:
   {}
 
   double quantum() const { return std::ldexp(1., m_exponent); }
-
-  /// rounds to the nearest number of quanta, for terms that are many quanta each.
-  std::uint32_t nearest(double area) const { return wrap(std::llround(area * m_inverse)); }
 
   /// \brief rounds; areas of few quanta up or down, up as often as the fraction says.
   ///

@@ -11,6 +11,12 @@
 #include <CGAL/Area_projection_transform/Triangle_surface.h>
 #include <CGAL/Area_projection_transform/internal/triangle_disk.h>
 
+#include <algorithm>
+#include <array>
+#include <complex>
+#include <stdexcept>
+#include <vector>
+
 namespace CGAL {
 namespace Area_projection {
 namespace internal {

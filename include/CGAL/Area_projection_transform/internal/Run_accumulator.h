@@ -9,6 +9,7 @@
 
 #include <CGAL/Area_projection_transform/Row_spans.h>
 
+#include <algorithm>
 #include <cstddef>
 #include <cstdint>
 #include <limits>
@@ -30,9 +31,12 @@ class Run_accumulator
 public:
   static constexpr int rows_of_group = 4;
 
+  /// up to here floats resolve a hundredth of a voxel.
+  static constexpr int largest_row = 1 << 16;
+
   /// \param padding the number of empty rows to keep on every side in `y` and `z`, so that
   /// kernels that reach over the border need no test; at least `rows_of_group`.
-  /// \throw std::invalid_argument if the region has more than 2^31 voxels.
+  /// \throw std::invalid_argument if the region has more than 2^31 voxels, or 2^16 in a row.
   Run_accumulator(const Row_spans& region, int padding)
       : m_region(region)
       , m_padding(padding)
@@ -43,6 +47,10 @@ public:
       , m_group_first(m_first.size(), std::numeric_limits<float>::infinity())
       , m_group_last(m_first.size(), -std::numeric_limits<float>::infinity())
   {
+    if(region.grid().size()[0] > largest_row)
+      throw std::invalid_argument("region has rows of " + std::to_string(region.grid().size()[0]) +
+                                  " voxels: at most " + std::to_string(largest_row) +
+                                  " are supported");
     const std::size_t places = region.storage_size() + region.number_of_rows();
     if(places > std::size_t(std::numeric_limits<std::int32_t>::max()))
       throw std::invalid_argument("region has " + std::to_string(region.storage_size()) +

@@ -11,7 +11,10 @@
 #include <CGAL/Area_projection_transform/Triangle_surface.h>
 #include <CGAL/Area_projection_transform/internal/morton_code.h>
 
-#include <utility>
+#include <array>
+#include <cstdint>
+#include <tuple>
+#include <vector>
 
 namespace CGAL {
 namespace Area_projection {
@@ -37,6 +40,17 @@ struct Surfel_moments
     return position_variance + d * (2. * covariance + d * normal_variance);
   }
 };
+
+/// an order in which only elements that are equal, and so interchangeable, have no fixed place.
+inline bool precedes(const Surfel_moments& a, const Surfel_moments& b)
+{
+  const auto key = [](const Surfel_moments& m) {
+    return std::make_tuple(m.position.x(), m.position.y(), m.position.z(), m.normal.x(),
+                           m.normal.y(), m.normal.z(), m.area, m.position_variance, m.covariance,
+                           m.normal_variance);
+  };
+  return key(a) < key(b);
+}
 
 inline Surfel_moments combine(const Surfel_moments& a, const Surfel_moments& b)
 {

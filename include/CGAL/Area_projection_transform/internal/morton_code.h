@@ -39,8 +39,8 @@ inline std::uint64_t spread_bits(std::uint64_t x)
 
 /// \brief returns the codes of the positions of elements, ascending.
 ///
-/// Elements in the same cell of the finest level are ordered by their coordinates, so that the
-/// order of the input does not matter.
+/// Elements in the same cell of the finest level are ordered by `precedes()`, so that the order of the
+/// input does not matter.
 template <class Element>
 std::vector<Morton_code> sorted_morton_codes(const std::vector<Element>& elements)
 {
@@ -65,7 +65,7 @@ std::vector<Morton_code> sorted_morton_codes(const std::vector<Element>& element
   std::sort(codes.begin(), codes.end(), [&](const Morton_code& a, const Morton_code& b) {
     if(a.code != b.code)
       return a.code < b.code;
-    return elements[a.element].position < elements[b.element].position;
+    return precedes(elements[a.element], elements[b.element]);
   });
   return codes;
 }

@@ -24,28 +24,29 @@ namespace Area_projection {
 namespace internal {
 
 template <class ConcurrencyTag>
-constexpr bool is_parallel = std::is_convertible_v<ConcurrencyTag, CGAL::Parallel_tag>;
+inline constexpr bool is_parallel = std::is_convertible_v<ConcurrencyTag, CGAL::Parallel_tag>;
 
-/// \brief runs `work(w)` for the workers 0, …, `w - 1`, as many as there are threads but at most
-/// `largest`, and returns their number.
+/// \brief runs `work(w, workers)` for each worker `w` of as many as there are threads, but at most
+/// `largest`.
 template <class ConcurrencyTag, class Work>
-std::size_t run_workers(std::size_t largest, Work&& work)
+void run_workers(std::size_t largest, Work&& work)
 {
 #ifdef CGAL_LINKED_WITH_TBB
   if constexpr(is_parallel<ConcurrencyTag>) {
     const std::size_t threads = std::size_t(tbb::this_task_arena::max_concurrency());
     const std::size_t workers = std::min(threads, largest);
     if(workers > 1) {
-      tbb::parallel_for(std::size_t(0), workers, work, tbb::simple_partitioner());
-      return workers;
+      tbb::parallel_for(
+          std::size_t(0), workers, [&](std::size_t w) { work(w, workers); },
+          tbb::simple_partitioner());
+      return;
     }
   }
 #else
   static_assert(!is_parallel<ConcurrencyTag>, "Parallel_tag needs TBB (CGAL_LINKED_WITH_TBB)");
 #endif
   if(largest > 0)
-    work(std::size_t(0));
-  return std::min<std::size_t>(largest, 1);
+    work(std::size_t(0), std::size_t(1));
 }
 
 /// runs `work(i)` for the indices 0, …, `number - 1`, in any order.
@@ -57,6 +58,8 @@ void for_each_index(std::size_t number, Work&& work)
     tbb::parallel_for(std::size_t(0), number, work);
     return;
   }
+#else
+  static_assert(!is_parallel<ConcurrencyTag>, "Parallel_tag needs TBB (CGAL_LINKED_WITH_TBB)");
 #endif
   for(std::size_t i = 0; i < number; ++i)
     work(i);

@@ -13,6 +13,10 @@
 #include <CGAL/Area_projection_transform/internal/Run_accumulator.h>
 #include <CGAL/Area_projection_transform/scales.h>
 
+#include <algorithm>
+#include <utility>
+#include <vector>
+
 namespace CGAL {
 namespace Area_projection {
 
@@ -29,14 +33,20 @@ class Exact_grid_projector
 public:
   /// \param region the voxels to compute; must outlive the projector
   /// \param kernel the nested balls of a model of `ProjectionKernel_3`
+  /// \throw std::invalid_argument if a ball of the kernel is out of range.
   explicit Exact_grid_projector(const Row_spans& region,
                                 std::vector<Nested_ball> kernel = Ball_kernel_3().nested_balls())
       : m_region(region)
       , m_kernel(std::move(kernel))
       , m_accumulator(region, internal::Run_accumulator::rows_of_group)
-  {}
+  {
+    internal::check_kernel(m_kernel);
+  }
 
-  /// \brief computes the transform at one scale, in place of what the projector held.
+  Exact_grid_projector(const Row_spans&& region, std::vector<Nested_ball> = {}) = delete;
+
+  /// \brief computes the transform at one scale.
+  /// \pre the rows of the scale before have all been taken
   /// \return the area of the triangles whose projected centroids fall outside of the grid
   /// \tparam ScaleSpace a model of `TriangleScaleSpace`
   /// \tparam Cancelled a nullary predicate; once it returns `true`, the rest of the surface is left out
@@ -71,7 +81,7 @@ private:
     return true;
   }
 
-  /// the voxels of a row within `squared_radius` (in voxels) of the place `x`: `first`, …, `last - 1`.
+  /// the voxels of a row within the root of `squared_half` (in voxels) of the place `x`.
   static Row_spans::Run chord(double x, double squared_half, const Row_spans::Hull& hull)
   {
     if(squared_half < 0)
@@ -92,7 +102,8 @@ private:
     const double inner = (sigma - size) / grid.spacing();
     const auto range = [&](int axis) {
       const double first = std::max(std::ceil(center[axis] - outer), 0.);
-      const double last = std::min(std::floor(center[axis] + outer) + 1, double(grid.size()[axis]));
+      const double last =
+          std::clamp(std::floor(center[axis] + outer) + 1, 0., double(grid.size()[axis]));
       return std::make_pair(int(std::min(first, last)), int(last));
     };
     const auto [first_z, last_z] = range(2);
@@ -109,12 +120,13 @@ private:
 
         const std::int32_t place = m_accumulator.place()[m_accumulator.padded_row(j, k)];
         m_accumulator.add(place + held.first, place + held.last,
-                          fixed.nearest(weight * triangle.voting_area()));
+                          fixed.dithered(weight * triangle.voting_area(), triangle.centroid()));
         const auto evaluate = [&](int first, int last) {
           for(int i = first; i < last; ++i) {
             const double area = triangle.area_within(grid.point(i, j, k), sigma);
             if(area > 0)
-              m_accumulator.add(place + i, place + i + 1, fixed.nearest(weight * area));
+              m_accumulator.add(place + i, place + i + 1,
+                                fixed.dithered(weight * area, triangle.centroid()));
           }
         };
         evaluate(reached.first, std::min(held.first, reached.last));

@@ -35,15 +35,19 @@ public:
   /// \param region the voxels to compute; must outlive the projector
   /// \param kernel the nested balls of a model of `ProjectionKernel_3`
   /// \param sampling_ratio the spacing of the surfels, in units of `σ`
+  /// \throw std::invalid_argument if a ball of the kernel is out of range, or `sampling_ratio` is not
+  /// positive.
   explicit Grid_projector(const Row_spans& region,
                           std::vector<Nested_ball> kernel = Ball_kernel_3().nested_balls(),
                           double sampling_ratio = default_sampling_ratio)
       : m_region(region), m_kernel(std::move(kernel)), m_sampling_ratio(sampling_ratio)
   {
+    internal::check_kernel(m_kernel);
     internal::check_positive(sampling_ratio, "sampling_ratio");
   }
 
-  /// \brief computes the transform at one scale, in place of what the projector held.
+  /// \brief computes the transform at one scale.
+  /// \pre the rows of the scale before have all been taken
   /// \return the area whose projection falls outside of the grid
   /// \tparam ScaleSpace a model of `SurfelScaleSpace`
   /// \tparam Cancelled a nullary predicate; once it returns `true`, the rest of the surface is left out
@@ -52,6 +56,8 @@ public:
 
   /// writes the values (areas) of the hull of a row to `out`, and clears the row.
   void take_row(std::size_t row, float* out) { m_accumulator->take_row(row, m_quantum, out); }
+
+  Grid_projector(const Row_spans&& region, std::vector<Nested_ball> = {}, double = 0) = delete;
 
 private:
   void prepare(const Scale& scale);
@@ -86,6 +92,9 @@ inline void Grid_projector::prepare(const Scale& scale)
 {
   // The accumulator is kept from scale to scale: it is clean once all rows have been taken.
   const double radius = scale.sigma / m_region.grid().spacing();
+  if(!(radius > 0 && radius < 1e6))
+    throw std::invalid_argument("sigma is " + std::to_string(scale.sigma) +
+                                ": must be positive and less than a million voxels");
   m_margin = internal::Ball_stencil::margin(radius);
   const int padding = internal::Ball_stencil::padding(radius);
   if(!m_accumulator || m_accumulator->padding() < padding)

@@ -59,6 +59,8 @@ public:
       m_projected.insert(m_projected.end(), batch.positions.begin(), batch.positions.end());
       m_areas.insert(m_areas.end(), batch.areas.begin(), batch.areas.end());
     });
+    if(m_projected.empty())
+      return; // a tree of no points cannot be built
     m_traits = Traits(make_property_map(std::as_const(m_projected)));
     m_tree = std::make_unique<Tree>(boost::counting_iterator<std::size_t>(0),
                                     boost::counting_iterator<std::size_t>(m_projected.size()),
@@ -75,6 +77,8 @@ public:
   double operator()(const Point& x, double sigma) const
   {
     double sum = 0;
+    if(!m_tree)
+      return sum;
     // The traits go along: the point map lives in them.
     m_tree->search(boost::make_function_output_iterator(Add{make_property_map(m_areas), &sum}),
                    Ball(internal::to_point(x), sigma, 0, m_traits));

@@ -13,6 +13,11 @@
 #include <CGAL/Area_projection_transform/Projected_surfels.h>
 #include <CGAL/Area_projection_transform/scales.h>
 
+#include <array>
+#include <cmath>
+#include <utility>
+#include <vector>
+
 namespace CGAL {
 namespace Area_projection {
 
@@ -20,8 +25,8 @@ namespace Area_projection {
 /// \brief the transform on a grid by the algorithm of the paper (section 5): surfels one voxel apart
 /// add their areas to the nearest voxel, and the map is convolved with a ball of voxels.
 ///
-/// For comparison, and as the baseline of the benchmarks: rounding to voxels costs 4 to 55 percent of
-/// the map where `σ` is 1 to 4 voxels, which `Grid_projector` avoids at a tenth of the time. The
+/// For comparison, and as the baseline of the benchmarks: rounding to voxels costs 7 to 60 percent of
+/// the map where `σ` is 1 to 4.5 voxels, which `Grid_projector` avoids. The
 /// convolution is direct and covers the whole grid, whatever the region. We round to the nearest
 /// voxel where the paper truncates, which would shift the map by half a voxel.
 ///
@@ -34,7 +39,11 @@ public:
   explicit Paper_grid_projector(const Row_spans& region,
                                 std::vector<Nested_ball> kernel = Ball_kernel_3().nested_balls())
       : m_region(region), m_kernel(std::move(kernel))
-  {}
+  {
+    internal::check_kernel(m_kernel);
+  }
+
+  Paper_grid_projector(const Row_spans&& region, std::vector<Nested_ball> = {}) = delete;
 
   /// \brief computes the transform at one scale, in place of what the projector held.
   /// \return the area whose projection falls outside of the grid and is lost

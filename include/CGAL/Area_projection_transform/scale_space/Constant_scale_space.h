@@ -17,13 +17,13 @@ namespace Area_projection {
 
 /// \ingroup PkgAreaProjectionTransformScaleSpace
 /// \brief the surface as it is, at every radius.
-/// \tparam Source a model of `SurfelSource`: `Triangle_surface` or `Surfels`
+/// \tparam Source `Triangle_surface` or `Surfels`
 /// \cgalModels `SurfelScaleSpace`, and `TriangleScaleSpace` if `Source` is `Triangle_surface`
 template <class Source>
 class Constant_scale_space
 {
 public:
-  /// Complexity: `O(n log n)` for `n` elements; 200 bytes for each.
+  /// Complexity: `O(n log n)` for `n` elements; 220 bytes for each triangle, 310 while it builds.
   explicit Constant_scale_space(Source source) : m_source(std::move(source)), m_tree(m_source) {}
 
   const Source& source() const { return m_source; }
@@ -40,10 +40,13 @@ public:
   /// Pieces of surface that land close together are merged, large triangles are divided. The areas sum
   /// to the area of the surface. May be called concurrently.
   ///
+  /// \throw std::invalid_argument if `spacing` is not positive.
+  ///
   /// Complexity: linear in the number of points handed over.
   template <class BatchSink>
   void project(double radius, Side side, double spacing, BatchSink&& sink) const
   {
+    internal::check_positive(spacing, "spacing");
     m_tree.project(m_source, internal::signed_distance(side, radius), spacing, sink);
   }
 

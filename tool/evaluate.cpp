@@ -24,8 +24,10 @@
 
 #include <algorithm>
 #include <cmath>
+#include <filesystem>
 #include <iostream>
 #include <map>
+#include <system_error>
 
 namespace mapt {
 
@@ -148,6 +150,18 @@ std::vector<double> evaluate(const Surface& surface, const std::vector<AP::Query
       surface);
 }
 
+/// \throw Usage_error if the output would replace an input, Output_error if it cannot be written.
+void check_output(const Evaluate_options& options)
+{
+  for(const std::string& input : {options.mesh, options.queries}) {
+    std::error_code ignored; // of a file that does not exist
+    if(std::filesystem::equivalent(input, options.output, ignored))
+      throw Usage_error("--output " + options.output + " would replace the input " + input +
+                        ": choose another name");
+  }
+  check_writable(options.output);
+}
+
 void write_table(std::ostream& stream, const std::vector<AP::Query>& queries,
                  const std::vector<double>& areas)
 {
@@ -232,7 +246,7 @@ bool run_evaluate(const std::vector<std::string>& arguments, Console& console)
   if(options.is_to_stdout())
     console.give_stdout_away();
   else
-    check_writable(options.output);
+    check_output(options);
 
   const std::vector<AP::Query> queries = read_queries(options);
   const Input input = read_input(options.mesh, options.common.reading);

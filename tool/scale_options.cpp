@@ -70,6 +70,9 @@ std::vector<double> choose_radii(const Scale_options& options, const CGAL::Bbox_
   if(smallest > largest)
     throw Usage_error("--radius-min is " + to_text(smallest, 9) + ": larger than --radius-max, " +
                       to_text(largest, 9));
+  if(smallest == largest && options.number.value_or(1) > 1)
+    throw Usage_error("--radius-min and --radius-max are both " + to_text(largest, 9) +
+                      ": that is one radius, not the number that --scales asks for");
   return options.step ? uniform_radii(options, smallest, largest)
                       : geometric_radii(options, smallest, largest);
 }
@@ -134,8 +137,15 @@ std::vector<AP::Scale> choose_scales(const Scale_options& options, const CGAL::B
   if(radii.front() < voxel * (1 - 1e-9))
     throw Usage_error("the radius " + to_text(radii.front(), 9) + " is smaller than the voxel, " +
                       to_text(voxel, 9) + ": lower --voxel, or leave the radius out");
-  return options.sigma ? AP::fixed_sigma_scales(radii, *options.sigma)
-                       : AP::proportional_scales(radii, options.sigma_ratio);
+  const std::vector<AP::Scale> scales = options.sigma
+                                            ? AP::fixed_sigma_scales(radii, *options.sigma)
+                                            : AP::proportional_scales(radii, options.sigma_ratio);
+  for(const AP::Scale& scale : scales)
+    if(!(scale.sigma >= voxel / 50))
+      throw Usage_error("sigma is " + to_text(scale.sigma, 9) +
+                        ": less than a fiftieth of the voxel, " + to_text(voxel, 9) +
+                        "; lower --voxel, or raise --sigma or --sigma-ratio");
+  return scales;
 }
 
 } // namespace mapt

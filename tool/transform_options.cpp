@@ -99,7 +99,7 @@ void add_computation(CLI::App& app, Transform_options& options)
                  "the spacing of the samples, as a fraction of the radius of the collecting ball")
       ->type_name("FRACTION")
       ->capture_default_str()
-      ->check(positive_number())
+      ->check(CLI::Range(0.01, 10.))
       ->group("Computation");
   add_bytes_option(app, "--max-memory", options.common.max_memory,
                    "refuse what needs more memory, such as 500M or 2G")

@@ -140,6 +140,10 @@ Transform_plan make_plan(const Input& input, const Surface& surface,
   check_memory(frame, bytes_of_region(frame, plan.region_name, input, reach / plan.voxel), options);
   if(plan.region_name == "all")
     check_memory(frame, 9 * frame.voxels(), options);
+  for(const AP::Scale& scale : plan.scales)
+    if(scale.sigma > 1000 * plan.voxel)
+      throw Usage_error("sigma is " + to_text(scale.sigma, 9) +
+                        ": more than 1000 voxels; raise --voxel, or lower --sigma");
   plan.region = std::make_shared<const AP::Row_spans>(
       find_region(AP::grid_around(box, plan.voxel, margin), surface, reach, plan));
 

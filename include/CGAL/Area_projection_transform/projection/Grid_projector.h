@@ -49,6 +49,7 @@ public:
   /// \brief computes the transform at one scale.
   /// \pre the rows of the scale before have all been taken
   /// \return the area whose projection falls outside of the grid
+  /// \throw std::invalid_argument if `σ` is less than 0.01 voxels or more than 1000
   /// \tparam ScaleSpace a model of `SurfelScaleSpace`
   /// \tparam Cancelled a nullary predicate; once it returns `true`, the rest of the surface is left out
   template <class ScaleSpace, class Cancelled>
@@ -92,9 +93,9 @@ inline void Grid_projector::prepare(const Scale& scale)
 {
   // The accumulator is kept from scale to scale: it is clean once all rows have been taken.
   const double radius = scale.sigma / m_region.grid().spacing();
-  if(!(radius > 0 && radius < 1e6))
-    throw std::invalid_argument("sigma is " + std::to_string(scale.sigma) +
-                                ": must be positive and less than a million voxels");
+  if(!(radius >= 0.01 && radius <= 1000))
+    throw std::invalid_argument("sigma is " + std::to_string(radius) +
+                                " voxels: must be at least 0.01 and at most 1000");
   m_margin = internal::Ball_stencil::margin(radius);
   const int padding = internal::Ball_stencil::padding(radius);
   if(!m_accumulator || m_accumulator->padding() < padding)

@@ -1,0 +1,182 @@
+// Copyright (c) 2026 The Area Projection Transform authors.
+//
+// This file is part of the Area_projection_transform package.
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+// Included once for each instruction set by `for_each_instruction_set.h`; guarded for each of them.
+//
+// The plain forms of the AVX-512 intrinsics make g++ warn of what they leave undefined; hence `maskz`.
+//
+// Several floats or integers side by side. `+ - * / < <= > >= & |` and `mask ? a : b` work lane by lane;
+// a comparison gives integers, -1 where it holds and 0 elsewhere.
+
+#if CGAL_AREA_PROJECTION_LANES == 16
+#ifndef CGAL_AREA_PROJECTION_LANES_16
+#define CGAL_AREA_PROJECTION_LANES_16
+#define CGAL_AREA_PROJECTION_DEFINE_LANES
+#endif
+#elif CGAL_AREA_PROJECTION_LANES == 8
+#ifndef CGAL_AREA_PROJECTION_LANES_8
+#define CGAL_AREA_PROJECTION_LANES_8
+#define CGAL_AREA_PROJECTION_DEFINE_LANES
+#endif
+#else
+#ifndef CGAL_AREA_PROJECTION_LANES_4
+#define CGAL_AREA_PROJECTION_LANES_4
+#define CGAL_AREA_PROJECTION_DEFINE_LANES
+#endif
+#endif
+
+#ifdef CGAL_AREA_PROJECTION_DEFINE_LANES
+#undef CGAL_AREA_PROJECTION_DEFINE_LANES
+
+namespace CGAL {
+namespace Area_projection {
+namespace internal {
+namespace CGAL_AREA_PROJECTION_ISA {
+
+constexpr int lanes = CGAL_AREA_PROJECTION_LANES;
+
+typedef float Floats __attribute__((vector_size(4 * CGAL_AREA_PROJECTION_LANES)));
+typedef std::int32_t Ints __attribute__((vector_size(4 * CGAL_AREA_PROJECTION_LANES)));
+
+inline Floats all(float x)
+{
+  return x - Floats{};
+}
+
+inline Ints all(std::int32_t x)
+{
+  return x - Ints{};
+}
+
+inline Floats load(const float* from)
+{
+  Floats x;
+  std::memcpy(&x, from, sizeof x);
+  return x;
+}
+
+inline Ints load(const std::int32_t* from)
+{
+  Ints x;
+  std::memcpy(&x, from, sizeof x);
+  return x;
+}
+
+inline void store(Floats x, float* to)
+{
+  std::memcpy(to, &x, sizeof x);
+}
+
+inline void store(Ints x, std::int32_t* to)
+{
+  std::memcpy(to, &x, sizeof x);
+}
+
+/// 0, 1, 2, …
+inline Floats steps()
+{
+  Floats x{};
+  for(int i = 0; i < lanes; ++i)
+    x[i] = float(i);
+  return x;
+}
+
+/// the same bits as integers, and back.
+inline Ints bits(Floats x)
+{
+  return (Ints)x;
+}
+
+inline Floats from_bits(Ints x)
+{
+  return (Floats)x;
+}
+
+/// rounds towards zero.
+inline Ints truncated(Floats x)
+{
+  return __builtin_convertvector(x, Ints);
+}
+
+inline Floats to_floats(Ints x)
+{
+  return __builtin_convertvector(x, Floats);
+}
+
+/// the smaller and the larger of two; the second, if one is not a number.
+inline Floats min(Floats a, Floats b)
+{
+#if CGAL_AREA_PROJECTION_LANES == 16
+  return (Floats)_mm512_maskz_min_ps(0xffff, (__m512)a, (__m512)b);
+#elif CGAL_AREA_PROJECTION_LANES == 8
+  return (Floats)_mm256_min_ps((__m256)a, (__m256)b);
+#elif defined(__SSE2__)
+  return (Floats)_mm_min_ps((__m128)a, (__m128)b);
+#else
+  return a < b ? a : b;
+#endif
+}
+
+inline Floats max(Floats a, Floats b)
+{
+#if CGAL_AREA_PROJECTION_LANES == 16
+  return (Floats)_mm512_maskz_max_ps(0xffff, (__m512)a, (__m512)b);
+#elif CGAL_AREA_PROJECTION_LANES == 8
+  return (Floats)_mm256_max_ps((__m256)a, (__m256)b);
+#elif defined(__SSE2__)
+  return (Floats)_mm_max_ps((__m128)a, (__m128)b);
+#else
+  return a > b ? a : b;
+#endif
+}
+
+inline Floats sqrt(Floats x)
+{
+#if CGAL_AREA_PROJECTION_LANES == 16
+  return (Floats)_mm512_maskz_sqrt_ps(0xffff, (__m512)x);
+#elif CGAL_AREA_PROJECTION_LANES == 8
+  return (Floats)_mm256_sqrt_ps((__m256)x);
+#elif defined(__SSE2__)
+  return (Floats)_mm_sqrt_ps((__m128)x);
+#else
+  for(int i = 0; i < lanes; ++i)
+    x[i] = __builtin_sqrtf(x[i]);
+  return x;
+#endif
+}
+
+/// a number whose bit `i` is set where a comparison holds in lane `i`.
+inline unsigned mask(Ints comparison)
+{
+#if CGAL_AREA_PROJECTION_LANES == 16
+  return unsigned(_mm512_movepi32_mask((__m512i)comparison));
+#elif CGAL_AREA_PROJECTION_LANES == 8
+  return unsigned(_mm256_movemask_ps((__m256)comparison));
+#elif defined(__SSE2__)
+  return unsigned(_mm_movemask_ps((__m128)comparison));
+#else
+  unsigned result = 0;
+  for(int i = 0; i < lanes; ++i)
+    result |= unsigned(comparison[i] != 0) << i;
+  return result;
+#endif
+}
+
+/// the sum of the lanes, pairwise: in the same order for any number of threads, but not of lanes.
+inline float sum(Floats x)
+{
+  float result = 0;
+  for(int i = 0; i < lanes; ++i)
+    result += x[i];
+  return result;
+}
+
+} // namespace CGAL_AREA_PROJECTION_ISA
+} // namespace internal
+} // namespace Area_projection
+} // namespace CGAL
+
+#endif

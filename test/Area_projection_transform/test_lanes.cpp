@@ -1,0 +1,53 @@
+// Copyright (c) 2026 The Area Projection Transform authors.
+//
+// This file is part of the Area_projection_transform package.
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+// The lanes that kernels compute with: what each lane gets, with the same bits for every instruction set.
+
+#define CGAL_AREA_PROJECTION_KERNEL "test_lanes_impl.h"
+#include <CGAL/Area_projection_transform/internal/simd/for_each_instruction_set.h>
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <string>
+
+namespace {
+
+using CGAL::Area_projection::internal::available_instruction_sets;
+using CGAL::Area_projection::internal::chosen_instruction_set;
+using CGAL::Area_projection::internal::Instruction_set;
+
+class Every_instruction_set : public testing::TestWithParam<Instruction_set>
+{
+protected:
+  void SetUp() override { chosen_instruction_set() = GetParam(); }
+  void TearDown() override { chosen_instruction_set() = available_instruction_sets().back(); }
+};
+
+TEST_P(Every_instruction_set, computes_each_lane_as_a_single_number)
+{
+  std::array<float, 16> x, result;
+  for(int i = 0; i < 16; ++i)
+    x[i] = 0.37f * float(i - 3);
+  const unsigned within = CGAL_AREA_PROJECTION_DISPATCHED(compute_test, x.data(), result.data());
+  for(int i = 0; i < 16; ++i) {
+    // volatile keeps the compiler from fusing
+    volatile float root = std::sqrt(std::max(x[i], 0.f));
+    volatile float square = x[i] * x[i], difference = square - root, product = root * x[i];
+    volatile float polynomial = product + difference;
+    const bool is_within = x[i] >= 1.f && x[i] <= 4.f;
+    EXPECT_EQ(result[i], is_within ? polynomial : std::trunc(polynomial)) << "lane " << i;
+    EXPECT_EQ((within >> i) & 1, unsigned(is_within)) << "lane " << i;
+  }
+}
+
+INSTANTIATE_TEST_SUITE_P(all, Every_instruction_set,
+                         testing::ValuesIn(available_instruction_sets()),
+                         [](const auto& set) { return "set_" + std::to_string(set.index); });
+
+} // namespace

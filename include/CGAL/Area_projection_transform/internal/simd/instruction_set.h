@@ -27,8 +27,7 @@ namespace Area_projection {
 namespace internal {
 
 /// how wide the kernels compute; all give the same bits.
-enum class Instruction_set
-{
+enum class Instruction_set {
   PORTABLE, ///< 4 lanes, whatever the compiler makes of them
   AVX2,     ///< 8 lanes
   AVX512    ///< 16 lanes

@@ -13,6 +13,8 @@
 #include "text.h"
 #include "transform_plan.h"
 
+#include <CGAL/Area_projection_transform/projection/Grid_projector.h>
+
 #include <cmath>
 #include <limits>
 
@@ -55,7 +57,7 @@ void show_forecast(const Input& input, Console& console)
 {
   Transform_options options;
   options.mesh = input.file;
-  options.sampling_ratio = AP::default_sampling_ratio;
+  options.sampling_ratio = AP::Grid_projector::default_sampling_ratio;
   options.common.max_memory = std::numeric_limits<double>::infinity();
   const Transform_plan plan = make_plan(input, make_surface(input, false), options);
   const auto& size = plan.region->grid().size();

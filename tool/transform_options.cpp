@@ -9,7 +9,7 @@
 #include "errors.h"
 #include "map_file.h"
 
-#include <CGAL/Area_projection_transform/scales.h>
+#include <CGAL/Area_projection_transform/projection/Grid_projector.h>
 
 #include <cmath>
 
@@ -94,12 +94,14 @@ void add_computation(CLI::App& app, Transform_options& options)
       "(less towards the rim)")
       ->capture_default_str()
       ->group("Computation");
-  options.sampling_ratio = CGAL::Area_projection::default_sampling_ratio;
-  app.add_option("--sampling-ratio", options.sampling_ratio,
-                 "the spacing of the samples, as a fraction of the radius of the collecting ball")
+  options.sampling_ratio = CGAL::Area_projection::Grid_projector::default_sampling_ratio;
+  app.add_option(
+         "--sampling-ratio", options.sampling_ratio,
+         "the size of the pieces of surface that count as one, as a fraction of the radius of "
+         "the collecting ball")
       ->type_name("FRACTION")
       ->capture_default_str()
-      ->check(CLI::Range(0.01, 10.))
+      ->check(CLI::Range(0.01, 1.))
       ->group("Computation");
   add_bytes_option(app, "--max-memory", options.common.max_memory,
                    "refuse what needs more memory, such as 500M or 2G")

@@ -155,7 +155,7 @@ auto grid_projector(const AP::Row_spans& region, double sampling_ratio)
 
 const std::vector<double>& sampling_ratios()
 {
-  static const std::vector<double> ratios{0.6, 0.3, AP::default_sampling_ratio};
+  static const std::vector<double> ratios{1., 0.6, AP::Grid_projector::default_sampling_ratio};
   return ratios;
 }
 
@@ -174,7 +174,7 @@ void add_job(const Job& job)
 #ifdef CGAL_LINKED_WITH_TBB
   add(job.name() + "/grid, all threads", [&job] {
     run<CGAL::Parallel_tag>(job, job.region,
-                            grid_projector(job.region, AP::default_sampling_ratio));
+                            grid_projector(job.region, AP::Grid_projector::default_sampling_ratio));
   });
 #endif
   add(job.name() + "/exact",
@@ -202,7 +202,7 @@ void print_ratios(const Job& job, std::map<std::string, Times>& times)
     row("grid, sampling " + std::to_string(ratio).substr(0, 4), grid_name(job, ratio),
         maps(job, grid_projector(job.region, ratio)));
   row("exact", job.name() + "/exact", exact);
-  const double one = times[grid_name(job, AP::default_sampling_ratio)].wall;
+  const double one = times[grid_name(job, AP::Grid_projector::default_sampling_ratio)].wall;
   if(const double all = times[job.name() + "/grid, all threads"].wall; all > 0)
     std::cout << "  wall time, one thread / all threads: " << one / all << "\n";
 }

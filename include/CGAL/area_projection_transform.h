@@ -100,7 +100,7 @@ double area_projection_transform(const TriangleMesh& mesh, const Point& x, doubl
 /// triangle, a vertex is not finite, or no face has an area.
 ///
 /// Complexity: for each scale, linear in the number of voxels of the region and in the area of the
-/// surface in voxels, divided by the square of `default_sampling_ratio`; `O(n log n)` for `n` faces once.
+/// surface in voxels, divided by the square of `Grid_projector::default_sampling_ratio`; `O(n log n)` for `n` faces once.
 /// Memory: 9 bytes for each voxel with storage (from the first to the last of the region in each row),
 /// 4 more for each further thread; one byte for each voxel of the grid while the interior of a surface
 /// that is not closed is found.

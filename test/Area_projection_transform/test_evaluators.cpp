@@ -314,7 +314,7 @@ AP::Projected_surfels projected(const AP::Constant_scale_space<AP::Triangle_surf
   AP::Projected_surfels all;
   surface.project(radius, Side::INSIDE, spacing, [&](const AP::Projected_surfels& batch) {
     for(std::size_t i = 0; i < batch.size(); ++i)
-      all.push_back(batch.positions[i], batch.areas[i]);
+      all.push_back(batch.positions[i], batch.areas[i], batch.covariances[i]);
   });
   return all;
 }

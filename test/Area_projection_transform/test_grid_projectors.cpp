@@ -38,38 +38,29 @@ std::vector<double> at_voxels(const Evaluator& evaluator, const AP::Row_spans& r
   return values;
 }
 
-double largest_area(const AP::Constant_scale_space<AP::Triangle_surface>& surface,
-                    const AP::Scale& scale, double spacing)
-{
-  double largest = 0;
-  surface.project(scale.radius, Side::INSIDE, spacing, [&](const AP::Projected_surfels& batch) {
-    for(const double area : batch.areas)
-      largest = std::max(largest, area);
-  });
-  return largest;
-}
-
 // ---------------------------------------------------------------- grid and k-d tree
 
-/// \brief expects the grid to hold at each voxel what the k-d tree finds at its centre.
+/// \brief expects the grid to hold at each voxel what the k-d tree finds at its centre, for surfels that
+/// are points: too far apart to be merged at the sampling ratio that is asked for.
 ///
-/// Both sum the same surfels, but the grid computes distances with floats. Near 10 voxels these are
-/// 1e-6 voxels apart; so a surfel that close to the rim may be in for one and out for the other. For
-/// the rest the sums differ by rounding: of each area to a multiple of at most 2^-29 of all area,
-/// up or down, and of the result to a float.
+/// Both sum the same surfels. The share of a point drops from 1 to 0 within `1.5e-5 σ` of the rim, as
+/// patches_impl.h has it, and the grid computes distances with floats, which are 1e-6 voxels apart
+/// near 10 voxels; so a surfel that close to the rim may count in part for the grid. For the rest the
+/// sums differ by rounding: of each area to a multiple of at most 2^-29 of all area, and of the
+/// result to a float.
 void expect_grid_equals_kd_tree(const Soup& soup, const AP::Scale& scale, double voxel,
                                 const std::vector<AP::Nested_ball>& kernel)
 {
-  const auto surface = shapes::scale_space_of(soup);
+  const AP::Constant_scale_space surface(
+      AP::sample_surfels(shapes::surface_of(soup), 0.15 * scale.sigma));
   const AP::Row_spans region(AP::grid_around(surface.bbox(), voxel, 0.37 * voxel));
-  const double spacing = AP::default_sampling_ratio * scale.sigma;
+  const double no_merging = 1e-4;
   const auto on_grid =
-      shapes::areas_on_grid(AP::Grid_projector(region, kernel), surface, region, scale);
-  const AP::Kd_tree_evaluator tree(surface, scale.radius, Side::INSIDE, spacing);
+      shapes::areas_on_grid(AP::Grid_projector(region, kernel, no_merging), surface, region, scale);
+  const AP::Kd_tree_evaluator tree(surface, scale.radius, Side::INSIDE, no_merging * scale.sigma);
+  ASSERT_EQ(tree.number_of_surfels(), surface.source().size());
   const double rounding = double(tree.number_of_surfels() * kernel.size()) * 0x1p-29;
-  const double rim = 2e-6 * voxel;
-  // No shape here puts three surfels on the rim of one voxel.
-  const double rim_area = 2 * largest_area(surface, scale, spacing);
+  const double rim = 3e-5 * scale.sigma + 2e-6 * voxel;
 
   const std::vector<double> at_points = at_voxels(tree, region, scale.sigma, kernel);
   shapes::for_each_voxel(region, [&](const Point_3& x, std::size_t place) {
@@ -81,10 +72,9 @@ void expect_grid_equals_kd_tree(const Soup& soup, const AP::Scale& scale, double
     const double tolerance = rounding * surface.area(scale.radius) + 1e-7 * possibly_in;
     ASSERT_GE(on_grid[place], surely_in - tolerance) << x;
     ASSERT_LE(on_grid[place], possibly_in + tolerance) << x;
-    ASSERT_NEAR(on_grid[place], at_points[place], rim_area + tolerance);
   });
-  // A surfel on the rim is one of some hundred in its ball, and such voxels are one in some thousand.
-  EXPECT_LT(shapes::relative_rms(on_grid, at_points), 1e-4);
+  // A surfel on the rim is one of some hundred in its ball, and such voxels are one in some hundred.
+  EXPECT_LT(shapes::relative_rms(on_grid, at_points), 1e-3);
 }
 
 TEST(Grid_projector, equals_the_kd_tree_at_every_voxel_for_every_kernel)
@@ -95,6 +85,25 @@ TEST(Grid_projector, equals_the_kd_tree_at_every_voxel_for_every_kernel)
        AP::Gaussian_kernel_3{3., 4}.nested_balls()})
     for(const AP::Scale& scale : {AP::Scale{0.3, 0.15}, AP::Scale{0.6, 0.3}, AP::Scale{0.9, 0.5}})
       expect_grid_equals_kd_tree(blob, scale, 0.15, kernel);
+}
+
+TEST(Grid_projector, has_the_same_bits_for_every_instruction_set)
+{
+  using namespace AP::internal;
+  const auto surface = shapes::scale_space_of(shapes::blob(3, 35));
+  const AP::Row_spans region(AP::grid_around(surface.bbox(), 0.05, 0.1));
+  for(const double sigma : {0.004, 0.1, 0.45, 1.3}) // from far below a voxel to many lanes
+    for(const auto& kernel :
+        {AP::Ball_kernel_3().nested_balls(), AP::Gaussian_kernel_3{3., 3}.nested_balls()}) {
+      std::vector<std::vector<float>> maps;
+      for(const Instruction_set set : available_instruction_sets()) {
+        chosen_instruction_set() = set;
+        maps.push_back(shapes::areas_on_grid(AP::Grid_projector(region, kernel, 0.8), surface,
+                                             region, {0.5, sigma}));
+        EXPECT_EQ(maps.back(), maps.front()) << name(set) << ", sigma " << sigma;
+      }
+      chosen_instruction_set() = available_instruction_sets().back();
+    }
 }
 
 TEST(Grid_projector, equals_the_kd_tree_for_small_and_for_large_balls)
@@ -129,12 +138,12 @@ TEST_P(Of_bundled_mesh, the_grid_comes_close_to_the_exact_map)
                                 scale),
           exact);
     };
-    const double of_default = error(AP::default_sampling_ratio);
-    const double of_half = error(0.5 * AP::default_sampling_ratio);
+    const double of_default = error(AP::Grid_projector::default_sampling_ratio);
+    const double of_half = error(0.5 * AP::Grid_projector::default_sampling_ratio);
     RecordProperty("percent_at_" + std::to_string(k), std::to_string(100 * of_default));
     RecordProperty("percent_of_half_at_" + std::to_string(k), std::to_string(100 * of_half));
-    EXPECT_LE(of_default, 0.015) << "R = " << k << " voxels";
-    EXPECT_LE(of_half, 0.005) << "R = " << k << " voxels";
+    EXPECT_LE(of_default, 0.01) << "R = " << k << " voxels";
+    EXPECT_LE(of_half, 0.0025) << "R = " << k << " voxels";
   }
 }
 
@@ -243,7 +252,8 @@ std::pair<double, Vector_3> integral(const std::vector<float>& areas, const AP::
 // Each surfel adds its area once for each lattice point in its ball, whose number is that of voxels
 // in the ball's volume on average over the places of the ball between the voxels. For one place it
 // varies by about the root of the number of voxels at the surface, for which 4ρ is plenty for a
-// radius of ρ voxels; for n surfels at different places by 4ρ/sqrt(n).
+// radius of ρ voxels; for n surfels at different places by 4ρ/sqrt(n). The share of a piece is right to
+// third order of its size over σ: a thousandth by default, far less for the small pieces here.
 TEST(Conservation, the_integral_of_a_map_is_the_area_times_the_volume_of_the_ball)
 {
   const Soup blob = shapes::blob(4, 25);
@@ -259,10 +269,11 @@ TEST(Conservation, the_integral_of_a_map_is_the_area_times_the_volume_of_the_bal
                      .number_of_surfels());
       const double tolerance = 4 * rho / std::sqrt(surfels) / (4 * pi / 3 * rho * rho * rho);
 
-      AP::Grid_projector projector(region);
+      const auto kernel = AP::Ball_kernel_3().nested_balls();
+      AP::Grid_projector projector(region, kernel, 0.2);
       EXPECT_EQ(projector.project(surface, scale, side, shapes::Never()), 0); // nothing outside
-      const auto areas =
-          shapes::areas_on_grid(AP::Grid_projector(region), surface, region, scale, side);
+      const auto areas = shapes::areas_on_grid(AP::Grid_projector(region, kernel, 0.2), surface,
+                                               region, scale, side);
       const auto [sum, moment] = integral(areas, region);
       EXPECT_LT(tolerance, 0.02);
       EXPECT_NEAR(sum / (blob.area() * ball), 1, tolerance);
@@ -505,6 +516,9 @@ TEST(Grid_projectors, refuse_what_they_cannot_do)
   EXPECT_EQ(shapes::complaint(
                 [&] { AP::Grid_projector(region, AP::Ball_kernel_3().nested_balls(), 0.); }),
             "sampling_ratio is 0.000000: must be positive and finite");
+  EXPECT_EQ(shapes::complaint(
+                [&] { AP::Grid_projector(region, AP::Ball_kernel_3().nested_balls(), 1.5); }),
+            "sampling_ratio is 1.500000: must be at most 1");
   const Soup sphere = shapes::icosphere(1);
   const AP::Constant_scale_space surface(AP::surface_from_triangle_soup(
       sphere.points, sphere.triangles, AP::parameters::use_interpolated_normals(true)));

@@ -20,8 +20,8 @@ public:
   /// the total area that votes at `radius`.
   double area(double radius) const;
 
-  /// \brief hands the parallel surface at distance `radius` on `side`, as weighted points about
-  /// `spacing` apart, to `sink(const Projected_surfels&)`, batch by batch.
+  /// \brief hands the parallel surface at distance `radius` on `side`, in pieces that spread
+  /// no more than a square of side `spacing` does, to `sink(const Projected_surfels&)`, batch by batch.
   ///
   /// The weights are areas and sum to `area(radius)`.
   template <class BatchSink>

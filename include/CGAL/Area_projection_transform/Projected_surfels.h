@@ -7,6 +7,7 @@
 #ifndef CGAL_AREA_PROJECTION_TRANSFORM_PROJECTED_SURFELS_H
 #define CGAL_AREA_PROJECTION_TRANSFORM_PROJECTED_SURFELS_H
 
+#include <CGAL/Area_projection_transform/Covariance_3.h>
 #include <CGAL/Area_projection_transform/Kernel.h>
 
 #include <cstddef>
@@ -16,13 +17,15 @@ namespace CGAL {
 namespace Area_projection {
 
 /// \ingroup PkgAreaProjectionTransformScaleSpace
-/// \brief a parallel surface as weighted points: where area lands, and how much.
+/// \brief a parallel surface in small pieces: where the area of each lands, how much it is, and how far
+/// it spreads.
 ///
 /// Stored as parallel arrays.
 struct Projected_surfels
 {
-  std::vector<Point_3> positions;
+  std::vector<Point_3> positions; ///< the means of the pieces
   std::vector<double> areas;
+  std::vector<Covariance_3> covariances; ///< of the positions within each piece
 
   std::size_t size() const { return positions.size(); }
   bool empty() const { return positions.empty(); }
@@ -31,18 +34,21 @@ struct Projected_surfels
   {
     positions.clear();
     areas.clear();
+    covariances.clear();
   }
 
   void reserve(std::size_t number)
   {
     positions.reserve(number);
     areas.reserve(number);
+    covariances.reserve(number);
   }
 
-  void push_back(const Point_3& position, double area)
+  void push_back(const Point_3& position, double area, const Covariance_3& covariance)
   {
     positions.push_back(position);
     areas.push_back(area);
+    covariances.push_back(covariance);
   }
 };
 

@@ -121,11 +121,27 @@ struct Triangle_piece
   std::array<std::array<double, 3>, 3> corners;
   std::array<double, 3> opposite;
   double fraction;
+
+  /// the barycentric coordinates of the centroid.
+  std::array<double, 3> centroid() const
+  {
+    std::array<double, 3> weights;
+    for(int i = 0; i < 3; ++i)
+      weights[i] = (corners[0][i] + corners[1][i] + corners[2][i]) / 3;
+    return weights;
+  }
 };
 
-/// \brief calls `sample(weights, fraction)` for each of the pieces into which a piece is cut, until
-/// none varies more than `largest_variance`: `weights` are the barycentric coordinates of the
-/// centroid, `fraction` its share of the area of the whole triangle.
+/// the whole of a triangle as a piece.
+inline Triangle_piece whole_triangle(const Point_3& a, const Point_3& b, const Point_3& c)
+{
+  return {{{{1, 0, 0}, {0, 1, 0}, {0, 0, 1}}},
+          {squared_distance(b, c), squared_distance(c, a), squared_distance(a, b)},
+          1};
+}
+
+/// \brief calls `sample(piece)` for each of the pieces into which a piece is cut, until none varies more
+/// than `largest_variance`.
 ///
 /// The longest edge is halved each time, which keeps good pieces good and makes slivers better.
 /// At most `depth` times: the last bit of a double is no place to cut.
@@ -135,10 +151,7 @@ void for_each_piece(const Triangle_piece& piece, double largest_variance, Sample
 {
   const auto& opposite = piece.opposite;
   if((opposite[0] + opposite[1] + opposite[2]) / 36 <= largest_variance || depth == 0) {
-    std::array<double, 3> weights;
-    for(int i = 0; i < 3; ++i)
-      weights[i] = (piece.corners[0][i] + piece.corners[1][i] + piece.corners[2][i]) / 3;
-    sample(weights, piece.fraction);
+    sample(piece);
     return;
   }
   const int i = int(std::max_element(opposite.begin(), opposite.end()) - opposite.begin());
@@ -172,7 +185,8 @@ void Triangle_surface::for_each_surfel_of_triangle(std::size_t t, double spacing
 {
   const Triangle& triangle = triangles[t];
   const Point_3 &a = corner(t, 0), &b = corner(t, 1), &c = corner(t, 2);
-  const auto sample = [&](const std::array<double, 3>& weights, double fraction) {
+  const auto sample = [&](const internal::Triangle_piece& piece) {
+    const std::array<double, 3> weights = piece.centroid();
     const Point_3 position(weights[0] * a.x() + weights[1] * b.x() + weights[2] * c.x(),
                            weights[0] * a.y() + weights[1] * b.y() + weights[2] * c.y(),
                            weights[0] * a.z() + weights[1] * b.z() + weights[2] * c.z());
@@ -181,13 +195,10 @@ void Triangle_surface::for_each_surfel_of_triangle(std::size_t t, double spacing
                                                        weights[1] * vertex_normals[triangle[1]] +
                                                        weights[2] * vertex_normals[triangle[2]])
                                 : normals[t];
-    surfel(position, normal, fraction * areas[t]);
+    surfel(position, normal, piece.fraction * areas[t]);
   };
-  internal::for_each_piece(
-      {{{{1, 0, 0}, {0, 1, 0}, {0, 0, 1}}},
-       {(c - b).squared_length(), (a - c).squared_length(), (b - a).squared_length()},
-       1},
-      internal::largest_variance(spacing), sample);
+  internal::for_each_piece(internal::whole_triangle(a, b, c), internal::largest_variance(spacing),
+                           sample);
 }
 
 template <class BatchSink>

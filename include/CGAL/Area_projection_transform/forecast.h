@@ -49,9 +49,9 @@ inline Forecast forecast_joint_map(double voxels, double rows, double faces, dou
     const double surfels = std::max(area / (spacing * spacing), 0.5 * faces);
     forecast.writes += 2 * surfels * pi * (scale.sigma / voxel_size) * (scale.sigma / voxel_size);
   }
-  const double accumulator = 4 * voxels + 60 * rows; // differences; hulls of padded rows
+  const double accumulator = 4 * voxels + 80 * rows; // sums, spare places, hulls
   const double region = 40 * rows;                   // hulls and runs
-  const double surface = 400 * faces;                // triangles, tree, and room to build it
+  const double surface = 450 * faces;                // triangles, tree, and room to build it
   const double working = std::min(threads, double(scales.size())) * accumulator;
   forecast.bytes = (5 + 4 * maps) * voxels + working + region + surface;
   return forecast;

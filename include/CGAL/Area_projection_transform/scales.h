@@ -29,12 +29,12 @@ struct Scale
 };
 
 /// \ingroup PkgAreaProjectionTransformGround
-/// \brief the default spacing of surfels, in units of `σ`.
+/// \brief the default spacing of surfels that count as points, in units of `σ`.
 ///
-/// It keeps the error of sampling on a grid below 1.5 % of the root mean square of the map, half the
-/// spacing keeps it below 0.5 %, measured for the ball kernel against the exact map at `σ` of 1 to
-/// 4.5 voxels; a narrow kernel asks for less. The work grows with the inverse square of the spacing,
-/// the error about with its power 1.5.
+/// It keeps the error of sampling below 1.5 % of the root mean square of the map, half the spacing
+/// keeps it below 0.5 %, measured for the ball kernel against the exact map; a narrow kernel asks
+/// for less. The work grows with the inverse square of the spacing, the error about with its power
+/// 1.5.
 inline constexpr double default_sampling_ratio = 0.15;
 
 /// \cond SKIP_IN_MANUAL

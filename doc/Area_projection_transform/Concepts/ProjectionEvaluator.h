@@ -11,6 +11,7 @@
 /// Queries may run concurrently.
 ///
 /// \cgalHasModel `CGAL::Area_projection::Exact_evaluator`
+/// \cgalHasModel `CGAL::Area_projection::Sampled_evaluator`
 /// \cgalHasModel `CGAL::Area_projection::Kd_tree_evaluator`
 class ProjectionEvaluator
 {

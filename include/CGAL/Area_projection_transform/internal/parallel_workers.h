@@ -15,6 +15,7 @@
 
 #ifdef CGAL_LINKED_WITH_TBB
 #include <tbb/parallel_for.h>
+#include <tbb/parallel_invoke.h>
 #include <tbb/partitioner.h>
 #include <tbb/task_arena.h>
 #endif
@@ -63,6 +64,22 @@ void for_each_index(std::size_t number, Work&& work)
 #endif
   for(std::size_t i = 0; i < number; ++i)
     work(i);
+}
+
+/// runs two pieces of work that have nothing to do with each other.
+template <class ConcurrencyTag, class First, class Second>
+void run_both(First&& first, Second&& second)
+{
+#ifdef CGAL_LINKED_WITH_TBB
+  if constexpr(is_parallel<ConcurrencyTag>) {
+    tbb::parallel_invoke(first, second);
+    return;
+  }
+#else
+  static_assert(!is_parallel<ConcurrencyTag>, "Parallel_tag needs TBB (CGAL_LINKED_WITH_TBB)");
+#endif
+  first();
+  second();
 }
 
 } // namespace internal

@@ -34,6 +34,8 @@ namespace Area_projection {
 /// `CGAL::Fuzzy_sphere` are summed as the search finds them (paper, section 5). Works for point sets,
 /// too. The rim belongs to the ball. Queries are `const` and may run concurrently.
 ///
+/// `Sampled_evaluator` finds the same much faster; this is what it is compared with.
+///
 /// \cgalModels `ProjectionEvaluator`
 class Kd_tree_evaluator
 {

@@ -9,7 +9,8 @@
 // The plain forms of the AVX-512 intrinsics make g++ warn of what they leave undefined; hence `maskz`.
 //
 // Several floats or integers side by side. `+ - * / < <= > >= & |` and `mask ? a : b` work lane by lane;
-// a comparison gives integers, -1 where it holds and 0 elsewhere.
+// a comparison gives integers, -1 where it holds and 0 elsewhere. Doubles and long integers have half as
+// many lanes.
 
 #if CGAL_AREA_PROJECTION_LANES == 16
 #ifndef CGAL_AREA_PROJECTION_LANES_16
@@ -41,6 +42,11 @@ constexpr int lanes = CGAL_AREA_PROJECTION_LANES;
 typedef float Floats __attribute__((vector_size(4 * CGAL_AREA_PROJECTION_LANES)));
 typedef std::int32_t Ints __attribute__((vector_size(4 * CGAL_AREA_PROJECTION_LANES)));
 
+constexpr int double_lanes = lanes / 2;
+
+typedef double Doubles __attribute__((vector_size(4 * CGAL_AREA_PROJECTION_LANES)));
+typedef std::int64_t Longs __attribute__((vector_size(4 * CGAL_AREA_PROJECTION_LANES)));
+
 inline Floats all(float x)
 {
   return x - Floats{};
@@ -49,6 +55,16 @@ inline Floats all(float x)
 inline Ints all(std::int32_t x)
 {
   return x - Ints{};
+}
+
+inline Doubles all(double x)
+{
+  return x - Doubles{};
+}
+
+inline Longs all(std::int64_t x)
+{
+  return x - Longs{};
 }
 
 inline Floats load(const float* from)
@@ -61,6 +77,20 @@ inline Floats load(const float* from)
 inline Ints load(const std::int32_t* from)
 {
   Ints x;
+  std::memcpy(&x, from, sizeof x);
+  return x;
+}
+
+inline Doubles load(const double* from)
+{
+  Doubles x;
+  std::memcpy(&x, from, sizeof x);
+  return x;
+}
+
+inline Longs load(const std::int64_t* from)
+{
+  Longs x;
   std::memcpy(&x, from, sizeof x);
   return x;
 }
@@ -133,6 +163,32 @@ inline Floats max(Floats a, Floats b)
 #endif
 }
 
+inline Doubles min(Doubles a, Doubles b)
+{
+#if CGAL_AREA_PROJECTION_LANES == 16
+  return (Doubles)_mm512_maskz_min_pd(0xff, (__m512d)a, (__m512d)b);
+#elif CGAL_AREA_PROJECTION_LANES == 8
+  return (Doubles)_mm256_min_pd((__m256d)a, (__m256d)b);
+#elif defined(__SSE2__)
+  return (Doubles)_mm_min_pd((__m128d)a, (__m128d)b);
+#else
+  return a < b ? a : b;
+#endif
+}
+
+inline Doubles max(Doubles a, Doubles b)
+{
+#if CGAL_AREA_PROJECTION_LANES == 16
+  return (Doubles)_mm512_maskz_max_pd(0xff, (__m512d)a, (__m512d)b);
+#elif CGAL_AREA_PROJECTION_LANES == 8
+  return (Doubles)_mm256_max_pd((__m256d)a, (__m256d)b);
+#elif defined(__SSE2__)
+  return (Doubles)_mm_max_pd((__m128d)a, (__m128d)b);
+#else
+  return a > b ? a : b;
+#endif
+}
+
 inline Floats sqrt(Floats x)
 {
 #if CGAL_AREA_PROJECTION_LANES == 16
@@ -163,6 +219,31 @@ inline unsigned mask(Ints comparison)
     result |= unsigned(comparison[i] != 0) << i;
   return result;
 #endif
+}
+
+inline unsigned mask(Longs comparison)
+{
+#if CGAL_AREA_PROJECTION_LANES == 16
+  return unsigned(_mm512_movepi64_mask((__m512i)comparison));
+#elif CGAL_AREA_PROJECTION_LANES == 8
+  return unsigned(_mm256_movemask_pd((__m256d)comparison));
+#elif defined(__SSE2__)
+  return unsigned(_mm_movemask_pd((__m128d)comparison));
+#else
+  unsigned result = 0;
+  for(int i = 0; i < double_lanes; ++i)
+    result |= unsigned(comparison[i] != 0) << i;
+  return result;
+#endif
+}
+
+/// the sum of the lanes, exact and so the same for any number of them.
+inline std::int64_t sum(Longs x)
+{
+  std::int64_t result = 0;
+  for(int i = 0; i < double_lanes; ++i)
+    result += x[i];
+  return result;
 }
 
 /// the sum of the lanes, pairwise: in the same order for any number of threads, but not of lanes.

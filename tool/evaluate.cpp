@@ -21,6 +21,7 @@
 #include <CGAL/Area_projection_transform/internal/atomic_file.h>
 #include <CGAL/Area_projection_transform/projection/Exact_evaluator.h>
 #include <CGAL/Area_projection_transform/projection/Kd_tree_evaluator.h>
+#include <CGAL/Area_projection_transform/projection/Sampled_evaluator.h>
 
 #include <algorithm>
 #include <cmath>
@@ -71,12 +72,12 @@ void add_options(CLI::App& app, Evaluate_options& options)
       ->type_name("WORD")
       ->capture_default_str();
   app.add_option("--method", options.method,
-                 "exact: whole triangles; kd-tree: samples of the surface (default: exact for "
-                 "meshes, kd-tree for points)")
-      ->check(CLI::IsMember(std::vector<std::string>{"exact", "kd-tree"}))
+                 "exact: whole triangles; samples: samples of the surface; kd-tree: the same, by "
+                 "CGAL's search, slower (default: exact for meshes, samples for points)")
+      ->check(CLI::IsMember(std::vector<std::string>{"exact", "samples", "kd-tree"}))
       ->type_name("WORD");
   app.add_option("--sampling-ratio", options.sampling_ratio,
-                 "kd-tree: the spacing of the samples, as a fraction of sigma")
+                 "samples and kd-tree: the spacing of the samples, as a fraction of sigma")
       ->type_name("FRACTION")
       ->capture_default_str()
       ->check(positive_number());
@@ -140,14 +141,21 @@ std::vector<double> evaluate(const Surface& surface, const std::vector<AP::Query
     });
   const std::map<double, double> sigmas = smallest_sigmas(queries);
   check_memory(sigmas, area_of(surface), options);
-  return std::visit(
-      [&](const auto& s) {
-        return AP::evaluate_at_points<Tag>(queries, [&](const AP::Scale& scale) {
-          return AP::Kd_tree_evaluator(s, scale.radius, side,
-                                       options.sampling_ratio * sigmas.at(scale.radius));
-        });
-      },
-      surface);
+  const auto spacing = [&](const AP::Scale& scale) {
+    return options.sampling_ratio * sigmas.at(scale.radius);
+  };
+  const auto by_search = [&](const auto& s) {
+    return AP::evaluate_at_points<Tag>(queries, [&](const AP::Scale& scale) {
+      return AP::Kd_tree_evaluator(s, scale.radius, side, spacing(scale));
+    });
+  };
+  const auto by_sums = [&](const auto& s) {
+    return AP::evaluate_at_points<Tag>(queries, [&](const AP::Scale& scale) {
+      return AP::Sampled_evaluator(s, scale.radius, side, spacing(scale), Tag());
+    });
+  };
+  return options.method == "kd-tree" ? std::visit(by_search, surface)
+                                     : std::visit(by_sums, surface);
 }
 
 /// \throw Usage_error if the output would replace an input, Output_error if it cannot be written.
@@ -256,9 +264,9 @@ bool run_evaluate(const std::vector<std::string>& arguments, Console& console)
   warn_of(input, console);
   if(input.is_point_set && options.method == "exact")
     throw Usage_error("--method exact: " + options.mesh +
-                      " has points only, and exact areas need faces; use kd-tree");
+                      " has points only, and exact areas need faces; use samples");
   if(options.method.empty())
-    options.method = input.is_point_set ? "kd-tree" : "exact";
+    options.method = input.is_point_set ? "samples" : "exact";
   report_parameters(options, queries, console);
 
   const std::vector<double> areas = evaluate(make_surface(input, false), queries, options);

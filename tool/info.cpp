@@ -87,10 +87,10 @@ void show_forecast(const Input& input, Console& console)
 void show_operations(const Input& input, Console& console)
 {
   const Mesh_report& report = input.report;
-  std::string exact = "evaluate: exact, or kd-tree";
+  std::string exact = "evaluate: exact, samples or kd-tree";
   std::string inside = "transform: any method";
   if(input.is_point_set) {
-    exact = "evaluate: kd-tree only, since points have no faces";
+    exact = "evaluate: samples or kd-tree, since points have no faces";
     inside = "transform: grid or paper, in all voxels, since points have no interior";
   } else if(!report.is_closed)
     inside += "; the interior is what most of six directions see as inside";

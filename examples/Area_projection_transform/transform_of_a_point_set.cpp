@@ -7,7 +7,7 @@
 // Does it need a mesh? No: points with normals will do, of only a part of the surface, and the area of
 // each is estimated from the density. A scan that sees half of a ball still finds its centre.
 
-#include <CGAL/Area_projection_transform/projection/Kd_tree_evaluator.h>
+#include <CGAL/Area_projection_transform/projection/Sampled_evaluator.h>
 #include <CGAL/Area_projection_transform/scale_space/Constant_scale_space.h>
 #include <CGAL/Area_projection_transform/surfels_from_points.h>
 
@@ -42,7 +42,7 @@ int main()
 
   const AP::Constant_scale_space<AP::Surfels> surface(surfels);
   const AP::Scale scale{2., 1.};
-  const AP::Kd_tree_evaluator evaluator(surface, scale.radius, AP::Side::INSIDE,
+  const AP::Sampled_evaluator evaluator(surface, scale.radius, AP::Side::INSIDE,
                                         AP::default_sampling_ratio * scale.sigma);
   for(const double z : {4., 4.5, 5., 5.5, 6.5}) {
     const double area = evaluator(Kernel::Point_3(0, 0, z), scale.sigma);

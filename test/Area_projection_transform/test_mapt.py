@@ -445,8 +445,11 @@ class Evaluate(Test):
         self.assertAlmostEqual(float(rows[1]["mapt"]), 0.09 / 4, places=9)
         rows = self.rows(plane, "--at", table, "-c", 0.3, "--side", "outside")
         self.assertEqual(float(rows[0]["apt"]), 0)
-        sampled = self.rows(plane, "--at", table, "--method", "kd-tree", "-c", 0.3)
+        sampled, searched = (self.rows(plane, "--at", table, "--method", method, "-c", 0.3)
+                             for method in ("samples", "kd-tree"))
         self.assertAlmostEqual(float(sampled[0]["mapt"]), 0.04, delta=0.002)
+        for row, other in zip(sampled, searched):
+            self.assertAlmostEqual(float(row["apt"]), float(other["apt"]), places=12)
 
     def test_files_and_json(self):
         table = self.table("x,y,z,radius\n0,0,0,1\n")
@@ -463,7 +466,7 @@ class Evaluate(Test):
     def test_threads_do_not_change_a_bit(self):
         table = self.table("x,y,z,radius\n" +
                            "".join(f"{i / 50},0.1,0,{0.5 + i % 3 / 4}\n" for i in range(50)))
-        for method in ("exact", "kd-tree"):
+        for method in ("exact", "samples", "kd-tree"):
             outputs = [self.succeed("evaluate", self.sphere, "--at", table, "--method", method, "-j",
                                     threads).stdout for threads in (1, 2)]
             self.assertEqual(*outputs)
@@ -490,8 +493,10 @@ class Evaluate(Test):
                        self.table("x,y,z,radius\n0,0,0,1\n"), "-o", self.path / "nowhere" / "out.csv")
 
     def test_too_many_samples(self):
-        self.fail_with(UNUSABLE_INPUT, ["sigma of 1e-09", "--method exact"], "evaluate", self.sphere,
-                       "--at", self.table("x,y,z,radius,sigma\n0,0,0,1,1e-9\n"), "--method", "kd-tree")
+        table = self.table("x,y,z,radius,sigma\n0,0,0,1,1e-9\n")
+        for method in ("samples", "kd-tree"):
+            self.fail_with(UNUSABLE_INPUT, ["sigma of 1e-09", "--method exact"], "evaluate", self.sphere,
+                           "--at", table, "--method", method)
 
 
 class Inputs(Test):
@@ -582,9 +587,9 @@ class Inputs(Test):
         points = self.write("points.xyz", text)
         table = self.write("at.csv", "x,y,z,radius\n0,0,0,1\n")
         row = self.report("evaluate", points, "--at", table)
-        self.assertEqual(row["parameters"]["method"], "kd-tree")
+        self.assertEqual(row["parameters"]["method"], "samples")
         self.assertAlmostEqual(row["results"][0]["apt"], share * len(self.points), places=8)
-        self.fail_with(WRONG_USAGE, ["points.xyz", "--method exact", "kd-tree"], "evaluate", points,
+        self.fail_with(WRONG_USAGE, ["points.xyz", "--method exact", "samples"], "evaluate", points,
                        "--at", table, "--method", "exact")
         report = self.report("transform", points, "-R", 1, "--voxel", 0.1)
         self.assertEqual(report["parameters"]["region"], "all")

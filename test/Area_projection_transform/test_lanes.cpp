@@ -46,6 +46,24 @@ TEST_P(Every_instruction_set, computes_each_lane_as_a_single_number)
   }
 }
 
+TEST_P(Every_instruction_set, sums_chosen_integers_without_error)
+{
+  std::array<double, 16> x;
+  std::array<std::int64_t, 16> weights;
+  std::int64_t expected = 0;
+  unsigned expected_bits = 0, bits = 0;
+  for(unsigned i = 0; i < 16; ++i) {
+    x[i] = 0.37 * (double(i) - 3);
+    weights[i] = (std::int64_t(1) << (3 * i + 10)) + i;
+    if(x[i] >= 1 && x[i] <= 4) {
+      expected += weights[i];
+      expected_bits |= 1u << i;
+    }
+  }
+  EXPECT_EQ(CGAL_AREA_PROJECTION_DISPATCHED(sum_test, x.data(), weights.data(), &bits), expected);
+  EXPECT_EQ(bits, expected_bits);
+}
+
 INSTANTIATE_TEST_SUITE_P(all, Every_instruction_set,
                          testing::ValuesIn(available_instruction_sets()),
                          [](const auto& set) { return "set_" + std::to_string(set.index); });

@@ -28,6 +28,20 @@ inline unsigned compute_test(const float* from, float* to)
   return bits_of_all;
 }
 
+/// the sum of those of 16 weights whose numbers are in [1, 4], and which these are, as bits.
+inline std::int64_t sum_test(const double* numbers, const std::int64_t* weights, unsigned* within)
+{
+  Longs total = all(std::int64_t(0));
+  *within = 0;
+  for(int i = 0; i < 16; i += double_lanes) {
+    const Doubles x = load(numbers + i);
+    const Longs is_within = max(min(x, all(4.)), all(1.)) == x;
+    total += load(weights + i) & is_within;
+    *within |= mask(is_within) << i;
+  }
+  return sum(total);
+}
+
 } // namespace CGAL_AREA_PROJECTION_ISA
 } // namespace internal
 } // namespace Area_projection

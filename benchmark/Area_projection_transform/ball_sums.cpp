@@ -236,11 +236,12 @@ void print_rows(const AP::Projected_surfels& points, const std::vector<Method>& 
       of_search = time;
       sum_of_search = sum;
     }
-    out << std::setw(9) << points.size() << std::setw(9) << points_in_ball << "  " << std::left
-        << std::setw(20) << method.name << std::right << std::fixed << std::setprecision(1)
-        << std::setw(9) << method.build << std::setprecision(2) << std::setw(10) << time
-        << std::setprecision(1) << std::setw(9) << of_search / time << std::scientific
-        << std::setw(11) << std::abs(sum / sum_of_search - 1) << std::defaultfloat << "\n";
+    out << std::defaultfloat << std::setprecision(6) << std::setw(9) << points.size()
+        << std::setw(9) << points_in_ball << "  " << std::left << std::setw(20) << method.name
+        << std::right << std::fixed << std::setprecision(1) << std::setw(9) << method.build
+        << std::setprecision(2) << std::setw(10) << time << std::setprecision(1) << std::setw(9)
+        << of_search / time << std::scientific << std::setw(11) << std::abs(sum / sum_of_search - 1)
+        << "\n";
   }
 }
 

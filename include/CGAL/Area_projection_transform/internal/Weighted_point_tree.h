@@ -66,6 +66,13 @@ namespace internal {
 /// Distances to the corners of boxes are computed like those to points. Since rounding keeps the order of
 /// numbers, no point of a box comes out nearer or farther than the box does: every point is judged as if
 /// its own distance had been computed, without any tolerance.
+///
+/// There is no rule that chooses another structure, since none was needed: `benchmark_ball_sums` compares
+/// it with cells of `σ/3` to `σ/8` with prefix sums of the weights along rows of cells, for balls that all
+/// have the same `σ`. Among 10^6 points, a sum over 10^2, 2600, 10^4 and 9·10^4 points takes 0.7, 3.2, 5.6
+/// and 17 µs here and 1.0, 6.7, 12 and 64 µs at best there, where the points of whole cells along the rim
+/// are looked at. Cells are built in 60 to 110 ms instead of 260: they would pay for fewer than about
+/// 30 000 queries, each with a `σ` known beforehand.
 class Weighted_point_tree
 {
 public:

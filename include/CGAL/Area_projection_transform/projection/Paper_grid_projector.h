@@ -13,6 +13,7 @@
 #include <CGAL/Area_projection_transform/Projected_surfels.h>
 #include <CGAL/Area_projection_transform/scales.h>
 
+#include <algorithm>
 #include <array>
 #include <cmath>
 #include <utility>
@@ -73,11 +74,13 @@ public:
     const Row_spans::Hull& hull = m_region.hull(row);
     const std::size_t rows = std::size_t(m_region.grid().size()[1]);
     const std::size_t first = index(hull.first, int(row % rows), int(row / rows));
-    for(std::size_t i = 0; i < std::size_t(hull.last - hull.first); ++i) {
-      float sum = 0;
-      for(const Offset& offset : m_offsets)
-        sum += offset.weight * m_votes[first + i + std::size_t(offset.step)];
-      out[i] = sum;
+    const std::size_t length = std::size_t(hull.last - hull.first);
+    std::fill(out, out + length, 0.f);
+    // The voxels of a row in the inner loop: compilers vectorise it, and the sums keep their order.
+    for(const Offset& offset : m_offsets) {
+      const float* votes = m_votes.data() + first + std::size_t(offset.step);
+      for(std::size_t i = 0; i < length; ++i)
+        out[i] += offset.weight * votes[i];
     }
   }
 

@@ -39,11 +39,13 @@ run_quietly() {
   fi
 }
 
-# configure_and_build PRESET: leaves its logs in build/PRESET.
+# configure_and_build PRESET [TARGET…]: leaves its logs in build/PRESET. Without targets: all.
 configure_and_build() {
   local preset=$1
+  shift
   run_quietly "Configuring build/$preset" "$root/build/$preset/configure.log" \
     cmake --preset "$preset"
   run_quietly "Building (log: build/$preset/build.log)" "$root/build/$preset/build.log" \
-    cmake --build --preset "$preset" --parallel "$(number_of_jobs)"
+    cmake --build --preset "$preset" --parallel "$(number_of_jobs)" \
+    ${1+--target "$@"}
 }

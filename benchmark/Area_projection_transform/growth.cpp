@@ -111,22 +111,20 @@ void grow_radii(Group& group, const Surface& surface)
   }
 }
 
+#ifdef CGAL_LINKED_WITH_TBB
 /// 1, 2, 4, … and all.
 std::vector<int> numbers_of_threads()
 {
-  std::vector<int> numbers;
-#ifdef CGAL_LINKED_WITH_TBB
   const int all = tbb::this_task_arena::max_concurrency();
+  std::vector<int> numbers;
   for(int threads = 1; threads < all; threads *= 2)
     numbers.push_back(threads);
   numbers.push_back(all);
-#endif
   return numbers;
 }
 
-void grow_threads([[maybe_unused]] Group& group, [[maybe_unused]] const Surface& surface)
+void grow_threads(Group& group, const Surface& surface)
 {
-#ifdef CGAL_LINKED_WITH_TBB
   const int voxels = group.pick(32, 128, 256);
   Job job(surface, voxels);
   job.scales = descriptor_scales(job.region.grid(), 16);
@@ -142,8 +140,8 @@ void grow_threads([[maybe_unused]] Group& group, [[maybe_unused]] const Surface&
       });
     });
   comparison.run();
-#endif
 }
+#endif
 
 void growth(Group& group)
 {
@@ -151,7 +149,9 @@ void growth(Group& group)
   const Surface surface = surface_of(rippled_torus(group.pick(1000, 100000, 100000)));
   grow_voxels(group, surface);
   grow_radii(group, surface);
+#ifdef CGAL_LINKED_WITH_TBB
   grow_threads(group, surface);
+#endif
 }
 
 const Registered_group registered("growth",

@@ -39,7 +39,7 @@ Plan plan(const Options& options)
 {
   Plan p = options.effort == Effort::SMOKE   ? Plan{0, 0, 0}
            : options.effort == Effort::QUICK ? Plan{3, 1, 0.005}
-                                             : Plan{7, 20, 0.05};
+                                             : Plan{7, 10, 0.05};
   if(options.repetitions > 0)
     p.repetitions = options.repetitions;
   return p;

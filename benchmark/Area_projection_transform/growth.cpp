@@ -27,41 +27,45 @@ Surface surface_of(const Soup& soup)
   return Surface(AP::surface_from_triangle_soup(soup.points, soup.triangles));
 }
 
+/// the number of voxels in the ball of a scale.
+double size_of_ball(const Job& job, const AP::Scale& scale)
+{
+  return 4.19 * std::pow(scale.sigma / job.region.grid().spacing(), 3);
+}
+
 /// the additions of the paper's algorithm: a ball of voxels at each voxel.
 double additions_of_paper(const Job& job)
 {
-  double balls = 0;
+  double additions = 0;
   for(const AP::Scale& scale : job.scales)
-    balls += 4.19 * std::pow(scale.sigma / job.region.grid().spacing(), 3);
-  return balls * double(job.region.storage_size());
+    additions += double(job.region.storage_size()) * size_of_ball(job, scale);
+  return additions;
 }
 
-/// the voxels that the projected triangles reach, at least one each.
-double evaluations_of_exact(const Job& job)
+/// how often the exact projector cuts a triangle with a ball, about: each triangle reaches a ball of
+/// voxels, but at least one, and more if it is larger than a voxel.
+double cuts_of_exact(const Job& job)
 {
-  const double area = job.surface.source().total_area() / std::pow(job.region.grid().spacing(), 2);
-  const double faces = double(job.surface.source().size());
-  double evaluations = 0;
+  const AP::Triangle_surface& source = job.surface.source();
+  const double area = source.total_area() / std::pow(job.region.grid().spacing(), 2);
+  double cuts = 0;
   for(const AP::Scale& scale : job.scales) {
-    const double ball = 4.19 * std::pow(scale.sigma / job.region.grid().spacing(), 3);
-    evaluations += faces * std::max(1., ball) + area * std::sqrt(ball);
+    const double ball = size_of_ball(job, scale);
+    cuts += double(source.size()) * std::max(1., ball) + area * std::sqrt(ball);
   }
-  return evaluations;
+  return cuts;
 }
 
-/// the slow ones only where they end in reasonable time; then the default is its own baseline.
-void add_projectors(Comparison& comparison, const Job& job, double most_operations)
+/// The slow ones are left out where they take longer than some 15 seconds (full) or one (quick): additions
+/// are counted, and a cut is about a thousand. Without the paper's, the default is its own baseline.
+void add_projectors(Group& group, Comparison& comparison, const Job& job)
 {
-  if(additions_of_paper(job) <= most_operations)
+  const double most = group.pick(1e7, 3e9, 1e11);
+  if(additions_of_paper(job) <= most)
     comparison.add("Paper_grid_projector", joint_map_of(job, paper_projector(job.region)));
   comparison.add("Grid_projector", joint_map_of(job, grid_projector(job.region)));
-  if(100 * evaluations_of_exact(job) <= most_operations)
+  if(1000 * cuts_of_exact(job) <= most)
     comparison.add("Exact_grid_projector", joint_map_of(job, exact_projector(job.region)));
-}
-
-double most_operations(const Group& group)
-{
-  return group.pick(1e7, 3e9, 1e11);
 }
 
 void grow_faces(Group& group)
@@ -75,7 +79,7 @@ void grow_faces(Group& group)
     const Job job(surface, voxels);
     Comparison comparison =
         group.comparison("faces", {{"faces", soup.triangles.size()}, {"voxels", voxels}});
-    add_projectors(comparison, job, most_operations(group));
+    add_projectors(group, comparison, job);
     comparison.add("set-up: surface_from_triangle_soup",
                    [&] { keep(surface_of(soup).source().size()); });
     comparison.add("set-up: interior", [&] {
@@ -91,7 +95,7 @@ void grow_voxels(Group& group, const Surface& surface)
     const Job job(surface, voxels);
     Comparison comparison =
         group.comparison("voxels", {{"faces", surface.source().size()}, {"voxels", voxels}});
-    add_projectors(comparison, job, most_operations(group));
+    add_projectors(group, comparison, job);
     comparison.run();
   }
 }
@@ -106,7 +110,7 @@ void grow_radii(Group& group, const Surface& surface)
                                                        {"voxels", voxels},
                                                        {"radius", radius},
                                                        {"sigma", 0.5 * radius}});
-    add_projectors(comparison, job, most_operations(group));
+    add_projectors(group, comparison, job);
     comparison.run();
   }
 }

@@ -44,7 +44,8 @@ struct Projected_surfels
     covariances.reserve(number);
   }
 
-  void push_back(const Point_3& position, double area, const Covariance_3& covariance)
+  /// adds a piece; without a covariance it is a point.
+  void push_back(const Point_3& position, double area, const Covariance_3& covariance = {})
   {
     positions.push_back(position);
     areas.push_back(area);

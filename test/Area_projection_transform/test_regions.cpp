@@ -315,6 +315,79 @@ TEST(Interior, agrees_with_the_side_of_a_triangle_mesh)
   }
 }
 
+// Lines through edges and vertices, everywhere: the lattice points are those of the surface.
+TEST(Interior, of_lattice_polyhedra_has_their_volume)
+{
+  shapes::Random random(58);
+  for(int n = 0; n < 50; ++n) {
+    Soup soup = shapes::box(Point_3(0, 0, 0), Point_3(1, 1, 1)); // sheared: a parallelepiped
+    const auto integer = [&] { return std::floor(random(0, 5)); };
+    const std::array<Vector_3, 3> edges{Vector_3(1 + integer(), integer(), integer()),
+                                        Vector_3(0, 1 + integer(), integer()),
+                                        Vector_3(0, 0, 1 + integer())};
+    for(Point_3& p : soup.points)
+      p = Point_3(0, 0, 0) + p.x() * edges[0] + p.y() * edges[1] + p.z() * edges[2];
+    const auto surface = shapes::surface_of(soup);
+    // The points that belong to a lattice cell of this kind are as many as its volume.
+    const AP::Grid_3 grid(Point_3(-1, -1, -1), 1, {20, 20, 20});
+    EXPECT_EQ(AP::interior(surface, grid).volume, edges[0].x() * edges[1].y() * edges[2].z());
+  }
+}
+
+// Every edge is passed equally often both ways, or the surface is open, however often.
+TEST(Interior, of_copies_of_one_triangle_is_empty)
+{
+  Soup soup;
+  soup.points = {Point_3(0, 0, 0), Point_3(1, 0, 0), Point_3(0, 1, 0)};
+  for(const std::size_t copies : {1u, 2u, 255u, 256u, 5000u}) {
+    soup.triangles.assign(copies, {0, 1, 2});
+    EXPECT_FALSE(AP::internal::is_closed(shapes::surface_of(soup))) << copies;
+    soup.triangles.insert(soup.triangles.end(), copies, {0, 2, 1});
+    EXPECT_TRUE(AP::internal::is_closed(shapes::surface_of(soup))) << copies;
+    soup.triangles.push_back({1, 0, 2});
+    EXPECT_FALSE(AP::internal::is_closed(shapes::surface_of(soup))) << copies;
+    const AP::Grid_3 grid(Point_3(-1, -1, -1), 0.2, {11, 11, 11});
+    EXPECT_EQ(AP::interior(shapes::surface_of(soup), grid).region.number_of_voxels(), 0u);
+  }
+}
+
+#ifdef CGAL_LINKED_WITH_TBB
+
+void expect_same(const AP::Row_spans& a, const AP::Row_spans& b)
+{
+  ASSERT_EQ(a.number_of_rows(), b.number_of_rows());
+  for(std::size_t row = 0; row < a.number_of_rows(); ++row) {
+    const auto [begin, end] = a.runs(row);
+    const auto [other_begin, other_end] = b.runs(row);
+    ASSERT_TRUE(
+        std::equal(begin, end, other_begin, other_end, [](const auto& run, const auto& other) {
+          return run.first == other.first && run.last == other.last;
+        }));
+  }
+}
+
+TEST(Regions, do_not_depend_on_the_number_of_threads)
+{
+  const Soup body = shapes::bundled_mesh("hand.obj");
+  const Soup holed =
+      shapes::without_faces(body, [](const Point_3& p) { return std::fmod(p.x(), 0.1) > 0.097; });
+  for(const Soup& soup : {body, holed}) {
+    const auto surface = shapes::surface_of(soup);
+    const CGAL::Bbox_3 box = surface.bbox();
+    const double voxel = (box.ymax() - box.ymin()) / 70;
+    const AP::Grid_3 grid = AP::grid_around(box, voxel);
+    const AP::Interior one = AP::interior(surface, grid);
+    const AP::Interior many = AP::interior<CGAL::Parallel_tag>(surface, grid);
+    expect_same(one.region, many.region);
+    EXPECT_EQ(one.coverage, many.coverage);
+    EXPECT_GT(one.region.number_of_voxels(), 1000u);
+    expect_same(AP::band(surface, grid, 3 * voxel),
+                AP::band<CGAL::Parallel_tag>(surface, grid, 3 * voxel));
+  }
+}
+
+#endif
+
 TEST(Interior, is_empty_where_nothing_is_enclosed)
 {
   const auto sheet = shapes::surface_of(shapes::plane_patch(1, 0));
@@ -356,14 +429,48 @@ TEST(Band, holds_what_is_near_the_surface_and_nothing_else)
         for(int j = 0; j < grid.size()[1]; ++j)
           for(int i = 0; i < grid.size()[0]; ++i) {
             const double d = distances[everything.index(i, j, k)];
-            if(d <= largest - voxel / 3) {
-              ASSERT_TRUE(region.contains(i, j, k)) << grid.point(i, j, k) << ": " << d;
-            } else if(d > largest + 1e-5 * voxel) { // distances are computed with floats
-              ASSERT_FALSE(region.contains(i, j, k)) << grid.point(i, j, k) << ": " << d;
+            if(std::abs(d - largest) > 1e-9) {
+              ASSERT_EQ(region.contains(i, j, k), d < largest) << grid.point(i, j, k) << ": " << d;
             }
           }
     }
   }
+}
+
+TEST(Band, of_points_is_the_union_of_their_balls)
+{
+  AP::Surfels points;
+  shapes::Random random(57);
+  for(std::uint32_t i = 0; i < 50; ++i)
+    points.push_back(random.point_in(CGAL::Bbox_3(-1, -1, -1, 1, 1, 1)), Vector_3(0, 0, 1), 1., i);
+  const AP::Grid_3 grid = AP::grid_around(points.bbox(), 0.1);
+  for(const double distance : {0.03, 0.15, 0.4, 5.}) {
+    const AP::Row_spans region = AP::band(points, grid, distance);
+    for(int k = 0; k < grid.size()[2]; ++k)
+      for(int j = 0; j < grid.size()[1]; ++j)
+        for(int i = 0; i < grid.size()[0]; ++i) {
+          double nearest = std::numeric_limits<double>::infinity();
+          for(const Point_3& p : points.positions)
+            nearest = std::min(nearest, std::sqrt(CGAL::squared_distance(p, grid.point(i, j, k))));
+          ASSERT_EQ(region.contains(i, j, k), nearest <= distance);
+        }
+  }
+}
+
+// Runs touch where neighbouring faces take over from each other: they are joined, so that a convex band
+// has one in each row.
+TEST(Band, has_no_more_runs_than_it_has_gaps)
+{
+  const auto surface = shapes::surface_of(shapes::plane_patch(6, 0));
+  const AP::Grid_3 grid = AP::grid_around(surface.bbox(), 0.0313, 0.4);
+  const AP::Row_spans region = AP::band(surface, grid, 0.3);
+  std::size_t not_empty = 0;
+  for(std::size_t row = 0; row < grid.number_of_rows(); ++row) {
+    const auto [begin, end] = region.runs(row);
+    ASSERT_LE(end - begin, 1);
+    not_empty += begin != end;
+  }
+  EXPECT_GT(not_empty, 100u);
 }
 
 TEST(Band, names_the_argument_that_is_out_of_range)

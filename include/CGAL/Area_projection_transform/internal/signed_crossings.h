@@ -9,6 +9,8 @@
 
 #include <CGAL/Area_projection_transform/Grid_3.h>
 #include <CGAL/Area_projection_transform/Triangle_surface.h>
+#include <CGAL/Area_projection_transform/internal/Lattice_axis.h>
+#include <CGAL/Area_projection_transform/internal/parallel_workers.h>
 
 #include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
 
@@ -16,7 +18,7 @@
 #include <array>
 #include <cmath>
 #include <cstdint>
-#include <utility>
+#include <limits>
 #include <vector>
 
 namespace CGAL {
@@ -26,6 +28,8 @@ namespace internal {
 /// \brief where the lines of a grid along one axis go through a surface, and which way.
 ///
 /// Lines are numbered `u + size_u * v`, where `u` and `v` run over the two other axes in cyclic order.
+/// A line that meets an edge or a vertex goes where it would if it were moved by (ε, ε²): the triangles
+/// around share out such lines, and each line goes through a closed surface as often inward as outward.
 class Signed_crossings
 {
 public:
@@ -35,12 +39,20 @@ public:
     std::int32_t sign;        ///< +1 where the line enters the solid, -1 where it leaves
   };
 
-  Signed_crossings(const Triangle_surface& surface, const Grid_3& grid, int axis)
-      : m_axis(axis), m_u((axis + 1) % 3), m_v((axis + 2) % 3), m_grid(grid)
+  template <class ConcurrencyTag>
+  Signed_crossings(ConcurrencyTag, const Triangle_surface& surface, const Grid_3& grid, int axis)
+      : m_grid(grid), m_axis(axis), m_u(grid, (axis + 1) % 3), m_v(grid, (axis + 2) % 3)
   {
-    std::vector<Found> found;
-    for(std::size_t t = 0; t < surface.size(); ++t)
-      find_crossings(surface.corner(t, 0), surface.corner(t, 1), surface.corner(t, 2), found);
+    constexpr std::size_t triangles_of_part = 1 << 14;
+    std::vector<std::vector<Found>> found((surface.size() + triangles_of_part - 1) /
+                                          triangles_of_part);
+    for_each_index<ConcurrencyTag>(found.size(), [&](std::size_t part) {
+      const std::size_t first = part * triangles_of_part;
+      const std::size_t last = std::min(first + triangles_of_part, surface.size());
+      for(std::size_t t = first; t < last; ++t)
+        find_crossings(surface.corner(t, 0), surface.corner(t, 1), surface.corner(t, 2),
+                       found[part]);
+    });
     sort_into_lines(found);
   }
 
@@ -55,97 +67,103 @@ private:
     Crossing crossing;
   };
 
+  /// where a corner is seen along the lines.
+  struct Flat_point
+  {
+    double u, v;
+  };
+
   using Exact = CGAL::Exact_predicates_inexact_constructions_kernel;
 
-  /// \brief the side of the edge `a b` on which `p` lies, as if `p` were moved by (ε, ε²).
-  ///
-  /// No point is on an edge then, and the triangles around an edge or a vertex share out the
-  /// points on it: each line goes through a closed surface as often inward as outward.
-  static bool is_left(const Exact::Point_2& a, const Exact::Point_2& b, const Exact::Point_2& p)
+  /// \brief the number of lattice points of the line `v` that precede an edge, which passes the line
+  /// upward. Exact: predicates decide where rounding might.
+  int number_before_edge(const Flat_point& low, const Flat_point& high, double v) const
   {
-    const CGAL::Orientation side = CGAL::orientation(a, b, p);
-    if(side != CGAL::COLLINEAR)
-      return side == CGAL::LEFT_TURN;
-    return a.y() != b.y() ? b.y() < a.y() : a.x() < b.x();
+    const double run = high.u - low.u;
+    const double u = low.u + (v - low.v) / (high.v - low.v) * run;
+    // Six roundings, each of half an epsilon or, in another rounding mode, a whole one.
+    const double error =
+        16 * std::numeric_limits<double>::epsilon() * (std::abs(low.u) + std::abs(run)) +
+        std::numeric_limits<double>::min();
+    const int i = m_u.guess(u);
+    if((i == 0 || m_u[i - 1] < u - error) && (i == m_u.size() || m_u[i] > u + error))
+      return i;
+    const Exact::Point_2 a(low.u, low.v), b(high.u, high.v);
+    return m_u.partition_point(i, [&](int index) {
+      return CGAL::orientation(a, b, Exact::Point_2(m_u[index], v)) == CGAL::LEFT_TURN;
+    });
   }
 
   void find_crossings(const Point_3& a, const Point_3& b, const Point_3& c,
                       std::vector<Found>& found) const
   {
-    const auto flat = [this](const Point_3& p) { return Exact::Point_2(p[m_u], p[m_v]); };
-    const Exact::Point_2 fa = flat(a), fb = flat(b), fc = flat(c);
-    const CGAL::Orientation orientation = CGAL::orientation(fa, fb, fc);
-    if(orientation == CGAL::COLLINEAR)
-      return; // seen edge-on: no line goes through
-    const bool is_positive = orientation == CGAL::LEFT_TURN;
+    const auto flat = [this](const Point_3& p) { return Flat_point{p[m_u.axis()], p[m_v.axis()]}; };
+    const std::array<Flat_point, 3> corners{flat(a), flat(b), flat(c)};
+    const auto [low_u, high_u] = std::minmax({corners[0].u, corners[1].u, corners[2].u});
+    const auto [low_v, high_v] = std::minmax({corners[0].v, corners[1].v, corners[2].v});
+    const int first_v = m_v.number_below(low_v), last_v = m_v.number_below(high_v);
+    if(first_v == last_v || m_u.number_below(low_u) == m_u.number_below(high_u))
+      return;
 
-    const auto [first_u, last_u] = lattice_range(m_u, a, b, c);
-    const auto [first_v, last_v] = lattice_range(m_v, a, b, c);
-    for(int v = first_v; v < last_v; ++v)
-      for(int u = first_u; u < last_u; ++u) {
-        const Exact::Point_2 p(coordinate(m_u, u), coordinate(m_v, v));
-        if(is_left(fa, fb, p) == is_positive && is_left(fb, fc, p) == is_positive &&
-           is_left(fc, fa, p) == is_positive) {
-          const double height = height_above(a, b, c, p.x(), p.y());
-          const double after = std::ceil((height - m_grid.origin()[m_axis]) / m_grid.spacing());
-          const double clamped = std::clamp(after, 0., double(m_grid.size()[m_axis]));
-          // An outward normal along the axis means that the line leaves.
-          found.push_back({std::size_t(u) + std::size_t(m_grid.size()[m_u]) * std::size_t(v),
-                           {std::int32_t(clamped), is_positive ? -1 : 1}});
-        }
+    const Vector_3 normal = cross_product(b - a, c - a);
+    for(int v = first_v; v < last_v; ++v) {
+      int upward = 0, downward = 0; // lattice points that precede the edges of either kind
+      for(int i = 0; i < 3; ++i) {
+        const Flat_point &from = corners[std::size_t(i)], &to = corners[std::size_t(i + 1) % 3];
+        if(from.v <= m_v[v] && m_v[v] < to.v)
+          upward = number_before_edge(from, to, m_v[v]);
+        else if(to.v <= m_v[v] && m_v[v] < from.v)
+          downward = number_before_edge(to, from, m_v[v]);
       }
+      // A triangle is on the left of its edges if its normal looks along the axis: there the line leaves.
+      const std::int32_t sign = downward < upward ? -1 : 1;
+      for(int u = std::min(upward, downward); u < std::max(upward, downward); ++u)
+        found.push_back({std::size_t(u) + std::size_t(m_u.size()) * std::size_t(v),
+                         {first_after({&a, &b, &c}, normal, m_u[u], m_v[v]), sign}});
+    }
   }
 
-  double coordinate(int axis, int index) const
+  /// the first lattice point of a line behind the plane of a triangle, of which it is known that the line
+  /// goes through it.
+  std::int32_t first_after(const std::array<const Point_3*, 3>& corners, const Vector_3& normal,
+                           double u, double v) const
   {
-    return m_grid.origin()[axis] + m_grid.spacing() * index;
+    const Point_3& a = *corners[0];
+    const auto [low, high] = std::minmax({a[m_axis], (*corners[1])[m_axis], (*corners[2])[m_axis]});
+    const double height = a[m_axis] - (normal[m_u.axis()] * (u - a[m_u.axis()]) +
+                                       normal[m_v.axis()] * (v - a[m_v.axis()])) /
+                                          normal[m_axis];
+    // Rounding must not leave the triangle, nor make 0/0 of it.
+    const double within = height >= low ? std::min(height, high) : low;
+    const double after = std::ceil((within - m_grid.origin()[m_axis]) / m_grid.spacing());
+    return std::int32_t(std::clamp(after, 0., double(m_grid.size()[std::size_t(m_axis)])));
   }
 
-  std::pair<int, int> lattice_range(int axis, const Point_3& a, const Point_3& b,
-                                    const Point_3& c) const
+  void sort_into_lines(const std::vector<std::vector<Found>>& found)
   {
-    const double low = std::min({a[axis], b[axis], c[axis]});
-    const double high = std::max({a[axis], b[axis], c[axis]});
-    const double origin = m_grid.origin()[axis], spacing = m_grid.spacing();
-    const double size = m_grid.size()[axis];
-    // A point to spare on either side, since the quotients are rounded.
-    return {int(std::clamp(std::ceil((low - origin) / spacing) - 1, 0., size)),
-            int(std::clamp(std::floor((high - origin) / spacing) + 2, 0., size))};
+    m_begin.assign(std::size_t(m_u.size()) * std::size_t(m_v.size()) + 1, 0);
+    for(const std::vector<Found>& part : found)
+      for(const Found& f : part)
+        ++m_begin[f.line];
+    std::size_t sum = 0;
+    for(std::size_t& begin : m_begin)
+      begin = sum += begin; // the end of the line, which becomes its beginning as it is filled
+    m_crossings.resize(sum);
+    for(const std::vector<Found>& part : found)
+      for(const Found& f : part)
+        m_crossings[--m_begin[f.line]] = f.crossing;
+    for(std::size_t line = 0; line < number_of_lines(); ++line)
+      if(m_begin[line + 1] - m_begin[line] > 1)
+        std::sort(m_crossings.data() + m_begin[line], m_crossings.data() + m_begin[line + 1],
+                  [](const Crossing& a, const Crossing& b) {
+                    return a.first_after != b.first_after ? a.first_after < b.first_after
+                                                          : a.sign > b.sign;
+                  });
   }
 
-  /// the coordinate along the axis at which the plane of a triangle is met, within its range.
-  double height_above(const Point_3& a, const Point_3& b, const Point_3& c, double u,
-                      double v) const
-  {
-    const Vector_3 n = cross_product(b - a, c - a);
-    const double height = a[m_axis] - (n[m_u] * (u - a[m_u]) + n[m_v] * (v - a[m_v])) / n[m_axis];
-    const auto [low, high] = std::minmax({a[m_axis], b[m_axis], c[m_axis]});
-    return height >= low ? std::min(height, high) : low; // also if rounding left 0/0
-  }
-
-  void sort_into_lines(const std::vector<Found>& found)
-  {
-    const std::size_t lines = std::size_t(m_grid.size()[m_u]) * std::size_t(m_grid.size()[m_v]);
-    m_begin.assign(lines + 1, 0);
-    for(const Found& f : found)
-      ++m_begin[f.line + 1];
-    for(std::size_t line = 0; line < lines; ++line)
-      m_begin[line + 1] += m_begin[line];
-    m_crossings.resize(found.size());
-    std::vector<std::size_t> next(m_begin.begin(), m_begin.end() - 1);
-    for(const Found& f : found)
-      m_crossings[next[f.line]++] = f.crossing;
-    for(std::size_t line = 0; line < lines; ++line)
-      std::sort(m_crossings.begin() + std::ptrdiff_t(m_begin[line]),
-                m_crossings.begin() + std::ptrdiff_t(m_begin[line + 1]),
-                [](const Crossing& a, const Crossing& b) {
-                  return a.first_after != b.first_after ? a.first_after < b.first_after
-                                                        : a.sign > b.sign;
-                });
-  }
-
-  int m_axis, m_u, m_v;
   const Grid_3& m_grid;
+  int m_axis;
+  Lattice_axis m_u, m_v;
   std::vector<std::size_t> m_begin;
   std::vector<Crossing> m_crossings;
 };

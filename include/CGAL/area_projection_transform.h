@@ -8,6 +8,7 @@
 #define CGAL_AREA_PROJECTION_TRANSFORM_H
 
 #include <CGAL/Area_projection_transform/Joint_map.h>
+#include <CGAL/Area_projection_transform/Map_session.h>
 #include <CGAL/Area_projection_transform/default_scales.h>
 #include <CGAL/Area_projection_transform/multiscale.h>
 #include <CGAL/Area_projection_transform/projection/Exact_evaluator.h>
@@ -16,8 +17,8 @@
 #include <CGAL/Area_projection_transform/scale_space/Constant_scale_space.h>
 #include <CGAL/Area_projection_transform/surfels_from_mesh.h>
 
-#include <memory>
 #include <stdexcept>
+#include <utility>
 #include <vector>
 
 namespace CGAL {
@@ -102,8 +103,8 @@ double area_projection_transform(const TriangleMesh& mesh, const Point& x, doubl
 /// Complexity: for each scale, linear in the number of voxels of the region and in the area of the
 /// surface in voxels, divided by the square of `Grid_projector::default_sampling_ratio`; `O(n log n)` for `n` faces once.
 /// Memory: 9 bytes for each voxel with storage (from the first to the last of the region in each row),
-/// 4 more for each further thread; one byte for each voxel of the grid while the interior of a surface
-/// that is not closed is found.
+/// 4 more for each further thread that computes a scale of its own; and what `interior()` takes. For more
+/// than one map of the same mesh, make a `Map_session`.
 template <class ConcurrencyTag = CGAL::Sequential_tag, class TriangleMesh,
           class NamedParameters = CGAL::parameters::Default_named_parameters>
 Joint_map
@@ -114,7 +115,7 @@ joint_area_projection_transform(const TriangleMesh& mesh,
   using CGAL::parameters::get_parameter;
   namespace tags = parameters::tags;
 
-  const Constant_scale_space surface(surface_from_mesh(mesh, np));
+  Constant_scale_space surface(surface_from_mesh(mesh, np));
   if(surface.source().empty())
     throw std::invalid_argument("mesh has no face with an area");
   const Bbox_3 box = surface.bbox();
@@ -126,16 +127,10 @@ joint_area_projection_transform(const TriangleMesh& mesh,
       choose_parameter(get_parameter(np, tags::radii), default_radii(box, voxel_size, ratio)),
       ratio);
 
-  const bool is_inside = side == Side::INSIDE;
-  const double margin = is_inside || scales.empty() ? 0. : scales.back().radius;
-  const Grid_3 grid = grid_around(box, voxel_size, margin);
-  const auto region = std::make_shared<const Row_spans>(
-      is_inside ? interior(surface.source(), grid).region : Row_spans(grid));
-
-  Joint_map map(region, scales);
-  project_scales<ConcurrencyTag>(
-      surface, *region, scales, side, [&] { return Grid_projector(*region); }, map, np);
-  return map;
+  const double margin = side == Side::INSIDE || scales.empty() ? 0. : scales.back().radius;
+  Map_session<Constant_scale_space<Triangle_surface>, ConcurrencyTag> session(std::move(surface),
+                                                                              voxel_size, margin);
+  return session.joint_map(scales, side, np);
 }
 
 } // namespace Area_projection

@@ -33,7 +33,7 @@ struct Forecast
 /// \param voxel_size the spacing of the grid
 /// \param scales the scales
 /// \param sampling_ratio the spacing of the surfels in units of `σ`
-/// \param threads the number of scales that are computed at a time
+/// \param threads the number of threads; several share a scale if there are fewer scales
 /// \param maps the number of maps of floats that are kept beside the joint map
 ///
 /// The work is an estimate, good to a factor of two or three: surfels that land close together are
@@ -49,10 +49,12 @@ inline Forecast forecast_joint_map(double voxels, double rows, double faces, dou
     const double surfels = std::max(area / (spacing * spacing), 0.5 * faces);
     forecast.writes += 2 * surfels * pi * (scale.sigma / voxel_size) * (scale.sigma / voxel_size);
   }
-  const double accumulator = 4 * voxels + 80 * rows; // sums, spare places, hulls
-  const double region = 40 * rows;                   // hulls and runs
-  const double surface = 450 * faces;                // triangles, tree, and room to build it
-  const double working = std::min(threads, double(scales.size())) * accumulator;
+  const double region = 40 * rows;    // hulls and runs
+  const double surface = 450 * faces; // triangles, tree, and room to build it
+  const double at_a_time = std::min(threads, double(scales.size()));
+  double working = 4 * voxels * at_a_time + 80 * rows * threads; // sums, spare places, hulls
+  if(at_a_time < threads)
+    working += region * threads; // of the parts of the region
   forecast.bytes = (5 + 4 * maps) * voxels + working + region + surface;
   return forecast;
 }

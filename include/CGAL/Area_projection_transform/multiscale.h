@@ -9,6 +9,9 @@
 
 #include <CGAL/Area_projection_transform/Row_spans.h>
 #include <CGAL/Area_projection_transform/Side.h>
+#include <CGAL/Area_projection_transform/internal/Progress.h>
+#include <CGAL/Area_projection_transform/internal/Region_parts.h>
+#include <CGAL/Area_projection_transform/internal/Scale_space_near_part.h>
 #include <CGAL/Area_projection_transform/internal/parallel_workers.h>
 #include <CGAL/Area_projection_transform/parameters.h>
 #include <CGAL/Area_projection_transform/scales.h>
@@ -63,77 +66,42 @@ T& unwrap(std::reference_wrapper<T>& wrapper)
   return wrapper.get();
 }
 
-/// Tells the callback and the visitor of progress, one call at a time.
-template <class Visitor>
-class Progress
+/// a projector for some voxels, if `make_projector` asks which, and for all otherwise.
+template <class MakeProjector>
+decltype(auto) make_projector_for(MakeProjector& make_projector, const Row_spans& region)
 {
-public:
-  Progress(std::size_t steps, std::function<bool(double)> callback, Visitor& visitor)
-      : m_steps(steps), m_callback(std::move(callback)), m_visitor(visitor)
-  {}
+  if constexpr(std::is_invocable_v<MakeProjector&, const Row_spans&>)
+    return make_projector(region);
+  else
+    return make_projector();
+}
 
-  /// asks the callback, unless another thread is just asking, so that long scales can be stopped.
-  bool is_cancelled()
-  {
-    if(m_callback && !m_is_cancelled) {
-      const std::unique_lock<std::mutex> lock(m_mutex, std::try_to_lock);
-      if(lock)
-        ask();
-    }
-    return m_is_cancelled;
-  }
+/// \brief into how many parts a region is cut, so that no thread has to be idle where there are fewer
+/// scales than threads.
+template <class ConcurrencyTag, class MakeProjector>
+std::size_t number_of_parts(std::size_t scales)
+{
+  if constexpr(std::is_invocable_v<MakeProjector&, const Row_spans&>)
+    if(scales > 0)
+      return (number_of_workers<ConcurrencyTag>() + scales - 1) / scales;
+  return 1;
+}
 
-  void scale_begins(std::size_t index, const Scale& scale)
-  {
-    const std::lock_guard<std::mutex> lock(m_mutex);
-    m_visitor.scale_begins(index, scale);
-  }
-
-  void scale_ends(std::size_t index, const Scale& scale, double area_outside)
-  {
-    const std::lock_guard<std::mutex> lock(m_mutex);
-    m_visitor.scale_ends(index, scale, area_outside);
-  }
-
-  void step()
-  {
-    const std::lock_guard<std::mutex> lock(m_mutex);
-    ++m_done;
-    ask();
-  }
-
-  void cancel() { m_is_cancelled = true; }
-
-  bool was_cancelled() const { return m_is_cancelled; }
-
-private:
-  void ask()
-  {
-    // Once all is done the answer does not matter.
-    if(m_callback && !m_is_cancelled && !m_callback(double(m_done) / double(m_steps)))
-      m_is_cancelled = m_done < m_steps;
-  }
-
-  std::size_t m_steps;
-  std::size_t m_done = 0;
-  std::function<bool(double)> m_callback;
-  Visitor& m_visitor;
-  std::mutex m_mutex;
-  std::atomic<bool> m_is_cancelled{false};
-};
-
-/// \brief hands the rows of one scale to the sink, layer by layer, beginning with layer `first`.
+/// \brief hands the rows of a part of one scale to the sink, layer by layer, beginning with the `start`-th
+/// of the part.
 ///
 /// A layer is locked while its rows are handed over, so that sinks need no locks of their own.
 template <class Projector, class Sink, class Cancelled>
-void deliver(Projector& projector, const Row_spans& region, std::size_t index, const Scale& scale,
-             std::size_t first, std::vector<std::mutex>& layers, Sink& sink, Cancelled&& cancelled)
+void deliver(Projector& projector, const Row_spans& region, const Region_part& part,
+             std::size_t index, const Scale& scale, std::size_t start,
+             std::vector<std::mutex>& layers, Sink& sink, Cancelled&& cancelled)
 {
   const std::size_t rows_of_layer = std::size_t(region.grid().size()[1]);
+  const std::size_t layers_of_part = std::size_t(part.last_layer - part.first_layer);
   const float normalization = float(scale.normalization());
   std::vector<float> values(std::size_t(region.grid().size()[0]));
-  for(std::size_t l = 0; l < layers.size() && !cancelled(); ++l) {
-    const std::size_t layer = (first + l) % layers.size();
+  for(std::size_t l = 0; l < layers_of_part && !cancelled(); ++l) {
+    const std::size_t layer = std::size_t(part.first_layer) + (start + l) % layers_of_part;
     const std::lock_guard<std::mutex> lock(layers[layer]);
     for(std::size_t row = layer * rows_of_layer; row < (layer + 1) * rows_of_layer; ++row) {
       const Row_spans::Hull& hull = region.hull(row);
@@ -152,6 +120,96 @@ void deliver(Projector& projector, const Row_spans& region, std::size_t index, c
   }
 }
 
+/// projects the surface onto a part of a region, or onto the whole if there is one part only.
+template <class Projector, class ScaleSpace, class Cancelled>
+double project_part(Projector& projector, const ScaleSpace& surface, const Region_part& part,
+                    bool is_whole, const Scale& scale, Side side, Cancelled& cancelled)
+{
+  if(is_whole)
+    return projector.project(surface, scale, side, cancelled);
+  return projector.project(Scale_space_near_part<ScaleSpace>(surface, part, scale), scale, side,
+                           cancelled);
+}
+
+inline void check_scales(const std::vector<Scale>& scales)
+{
+  for(std::size_t k = 0; k < scales.size(); ++k) {
+    check_positive(scales[k].radius, "radius of scales[" + std::to_string(k) + "]");
+    check_positive(scales[k].sigma, "sigma of scales[" + std::to_string(k) + "]");
+  }
+}
+
+/// the indices of the scales, the largest radius first: what takes longest is begun first.
+inline std::vector<std::size_t> order_of_work(const std::vector<Scale>& scales)
+{
+  std::vector<std::size_t> order(scales.size());
+  std::iota(order.begin(), order.end(), std::size_t(0));
+  std::stable_sort(order.begin(), order.end(), [&](std::size_t a, std::size_t b) {
+    return scales[a].radius > scales[b].radius;
+  });
+  return order;
+}
+
+/// \brief computes the scales over the parts of a region. A worker stays with a part, and takes the next
+/// scale that nobody has begun there.
+template <class ConcurrencyTag, class ScaleSpace, class MakeProjector, class Sink,
+          class NamedParameters>
+Multiscale_summary project_scales(const ScaleSpace& surface, const Row_spans& region,
+                                  const Region_parts& parts, const std::vector<Scale>& scales,
+                                  Side side, MakeProjector&& make_projector, Sink& sink,
+                                  const NamedParameters& np)
+{
+  using CGAL::parameters::choose_parameter;
+  using CGAL::parameters::get_parameter;
+  auto given_visitor =
+      choose_parameter(get_parameter(np, internal_np::visitor), Multiscale_default_visitor());
+  // A reference wrapper becomes a reference to the visitor of the user.
+  auto& visitor = unwrap(given_visitor);
+  Progress<std::remove_reference_t<decltype(visitor)>> progress(
+      scales.size(), parts.size(),
+      choose_parameter(get_parameter(np, internal_np::callback), std::function<bool(double)>()),
+      visitor);
+  const auto cancelled = [&progress] { return progress.is_cancelled(); };
+
+  check_scales(scales);
+  const std::vector<std::size_t> order = order_of_work(scales);
+  Multiscale_summary summary;
+  summary.areas_outside.assign(scales.size(), 0.);
+  std::vector<std::mutex> layers(std::size_t(region.grid().size()[2]));
+  std::vector<std::atomic<std::size_t>> next(parts.size());
+
+  const auto compute_part = [&](std::size_t p, std::size_t worker, std::size_t workers) {
+    const Region_part& part = parts[p];
+    auto&& projector = make_projector_for(make_projector, *part.region);
+    const std::size_t start = worker * std::size_t(part.last_layer - part.first_layer) / workers;
+    for(std::size_t i = next[p]++; i < order.size() && !cancelled(); i = next[p]++) {
+      const std::size_t index = order[i];
+      progress.part_begins(index, scales[index]);
+      const double area_outside =
+          project_part(projector, surface, part, parts.size() == 1, scales[index], side, cancelled);
+      if(part.is_first)
+        summary.areas_outside[index] = area_outside;
+      progress.step();
+      deliver(projector, region, part, index, scales[index], start, layers, sink, cancelled);
+      if(!progress.was_cancelled())
+        progress.part_ends(index, scales[index], summary.areas_outside[index]);
+      progress.step();
+    }
+  };
+  run_workers<ConcurrencyTag>(
+      scales.size() * parts.size(), [&](std::size_t worker, std::size_t workers) {
+        try {
+          for(std::size_t p = worker % parts.size(); p < parts.size(); p += workers)
+            compute_part(p, worker, workers);
+        } catch(...) {
+          progress.cancel(); // so that the other threads do not go on in vain
+          throw;
+        }
+      });
+  summary.is_complete = !progress.was_cancelled();
+  return summary;
+}
+
 } // namespace internal
 /// \endcond
 
@@ -161,20 +219,23 @@ void deliver(Projector& projector, const Row_spans& region, std::size_t index, c
 ///
 /// The sink receives `APT / (4πR²)`: 1 at the centre of a sphere of radius `R`, `σ/R` on the axis of a
 /// cylinder (paper, section 4). The scales are computed in parallel, the largest first; each thread
-/// holds one map, whatever the number of scales. The values do not depend on the number of threads.
+/// holds one map, whatever the number of scales. With fewer scales than threads the region is cut into
+/// parts, and each thread holds one. The values do not depend on the number of threads.
 ///
 /// \tparam ConcurrencyTag `CGAL::Sequential_tag`, `CGAL::Parallel_tag` or
 /// `CGAL::Parallel_if_available_tag`
 /// \tparam ScaleSpace a model of `SurfelScaleSpace` (of `TriangleScaleSpace` for exact projectors)
-/// \tparam MakeProjector a nullary function that returns a model of `GridProjector`
+/// \tparam MakeProjector a function of a `const Row_spans&`, which will live as long as the projector, or
+/// of nothing; it returns a model of `GridProjector`
 /// \tparam Sink a model of `MultiscaleSink`
 ///
 /// \param surface the surface
 /// \param region the voxels
 /// \param scales the scales, in any order
 /// \param side the side on which the parallel surfaces are taken
-/// \param make_projector makes a projector for `region`; called once for each thread, and always by
-/// the thread that uses it
+/// \param make_projector makes a projector for the voxels that it is given, a part of `region`, or for
+/// `region` if it is a function of nothing, in which case a scale is never shared by threads; called once
+/// for each thread, and always by the thread that uses it
 /// \param sink is called with no two calls at a time for the same scale or the same layer of voxels
 /// \param np optional named parameters among:
 /// \cgalNamedParamsBegin
@@ -193,7 +254,7 @@ void deliver(Projector& projector, const Row_spans& region, std::size_t index, c
 ///     \cgalParamDefault{`Multiscale_default_visitor`}
 ///   \cgalParamNEnd
 /// \cgalNamedParamsEnd
-/// \pre the projectors and the sink were made for `region`, and the sink for `scales`
+/// \pre the projectors were made for what they were asked for, and the sink for `region`, and the sink for `scales`
 /// \return whether all scales were computed, and the area that each lost
 /// \throw std::invalid_argument if a radius or a `σ` is not positive. An exception of a thread stops
 /// the others and is passed on.
@@ -204,55 +265,10 @@ Multiscale_summary project_scales(const ScaleSpace& surface, const Row_spans& re
                                   MakeProjector&& make_projector, Sink& sink,
                                   const NamedParameters& np = CGAL::parameters::default_values())
 {
-  using CGAL::parameters::choose_parameter;
-  using CGAL::parameters::get_parameter;
-  auto given_visitor =
-      choose_parameter(get_parameter(np, internal_np::visitor), Multiscale_default_visitor());
-  // A reference wrapper becomes a reference to the visitor of the user.
-  auto& visitor = internal::unwrap(given_visitor);
-  internal::Progress<std::remove_reference_t<decltype(visitor)>> progress(
-      2 * scales.size(),
-      choose_parameter(get_parameter(np, internal_np::callback), std::function<bool(double)>()),
-      visitor);
-
-  std::vector<std::size_t> order(scales.size());
-  std::iota(order.begin(), order.end(), std::size_t(0));
-  std::stable_sort(order.begin(), order.end(), [&](std::size_t a, std::size_t b) {
-    return scales[a].radius > scales[b].radius;
-  });
-
-  Multiscale_summary summary;
-  for(std::size_t k = 0; k < scales.size(); ++k) {
-    internal::check_positive(scales[k].radius, "radius of scales[" + std::to_string(k) + "]");
-    internal::check_positive(scales[k].sigma, "sigma of scales[" + std::to_string(k) + "]");
-  }
-  summary.areas_outside.assign(scales.size(), 0.);
-  std::vector<std::mutex> layers(std::size_t(region.grid().size()[2]));
-  std::atomic<std::size_t> next{0};
-  const auto cancelled = [&progress] { return progress.is_cancelled(); };
-  internal::run_workers<ConcurrencyTag>(scales.size(), [&](std::size_t worker,
-                                                           std::size_t workers) {
-    try {
-      auto projector = make_projector();
-      const std::size_t first_layer = worker * layers.size() / workers;
-      for(std::size_t i = next++; i < order.size() && !cancelled(); i = next++) {
-        const std::size_t index = order[i];
-        progress.scale_begins(index, scales[index]);
-        summary.areas_outside[index] = projector.project(surface, scales[index], side, cancelled);
-        progress.step();
-        internal::deliver(projector, region, index, scales[index], first_layer, layers, sink,
-                          cancelled);
-        if(!progress.was_cancelled())
-          progress.scale_ends(index, scales[index], summary.areas_outside[index]);
-        progress.step();
-      }
-    } catch(...) {
-      progress.cancel(); // so that the other threads do not go on in vain
-      throw;
-    }
-  });
-  summary.is_complete = !progress.was_cancelled();
-  return summary;
+  const std::size_t parts = internal::number_of_parts<ConcurrencyTag, MakeProjector>(scales.size());
+  return internal::project_scales<ConcurrencyTag>(surface, region,
+                                                  internal::Region_parts(region, parts), scales,
+                                                  side, make_projector, sink, np);
 }
 
 } // namespace Area_projection

@@ -27,6 +27,17 @@ namespace internal {
 template <class ConcurrencyTag>
 inline constexpr bool is_parallel = std::is_convertible_v<ConcurrencyTag, CGAL::Parallel_tag>;
 
+/// how many threads there are to work.
+template <class ConcurrencyTag>
+std::size_t number_of_workers()
+{
+#ifdef CGAL_LINKED_WITH_TBB
+  if constexpr(is_parallel<ConcurrencyTag>)
+    return std::size_t(tbb::this_task_arena::max_concurrency());
+#endif
+  return 1;
+}
+
 /// \brief runs `work(w, workers)` for each worker `w` of as many as there are threads, but at most
 /// `largest`.
 template <class ConcurrencyTag, class Work>
@@ -34,8 +45,7 @@ void run_workers(std::size_t largest, Work&& work)
 {
 #ifdef CGAL_LINKED_WITH_TBB
   if constexpr(is_parallel<ConcurrencyTag>) {
-    const std::size_t threads = std::size_t(tbb::this_task_arena::max_concurrency());
-    const std::size_t workers = std::min(threads, largest);
+    const std::size_t workers = std::min(number_of_workers<ConcurrencyTag>(), largest);
     if(workers > 1) {
       tbb::parallel_for(
           std::size_t(0), workers, [&](std::size_t w) { work(w, workers); },

@@ -132,12 +132,12 @@ std::vector<double> evaluate(const Surface& surface, const std::vector<AP::Query
                              const Evaluate_options& options)
 {
   using Tag = CGAL::Parallel_if_available_tag;
-  using Mesh = AP::Constant_scale_space<AP::Triangle_surface>;
+  using Mesh = Shared_surface<AP::Triangle_surface>;
   const AP::Side side = options.side == "inside" ? AP::Side::INSIDE : AP::Side::OUTSIDE;
   const Thread_limit limit(number_of_threads(options.common.threads));
   if(options.method == "exact")
     return AP::evaluate_at_points<Tag>(queries, [&](const AP::Scale& scale) {
-      return AP::Exact_evaluator(std::get<Mesh>(surface), scale.radius, side);
+      return AP::Exact_evaluator(*std::get<Mesh>(surface), scale.radius, side);
     });
   const std::map<double, double> sigmas = smallest_sigmas(queries);
   check_memory(sigmas, area_of(surface), options);
@@ -146,12 +146,12 @@ std::vector<double> evaluate(const Surface& surface, const std::vector<AP::Query
   };
   const auto by_search = [&](const auto& s) {
     return AP::evaluate_at_points<Tag>(queries, [&](const AP::Scale& scale) {
-      return AP::Kd_tree_evaluator(s, scale.radius, side, spacing(scale));
+      return AP::Kd_tree_evaluator(*s, scale.radius, side, spacing(scale));
     });
   };
   const auto by_sums = [&](const auto& s) {
     return AP::evaluate_at_points<Tag>(queries, [&](const AP::Scale& scale) {
-      return AP::Sampled_evaluator(s, scale.radius, side, spacing(scale), Tag());
+      return AP::Sampled_evaluator(*s, scale.radius, side, spacing(scale), Tag());
     });
   };
   return options.method == "kd-tree" ? std::visit(by_search, surface)

@@ -165,9 +165,11 @@ std::vector<Boundary_edge> count_edges(const Sides& sides, Mesh_topology& topolo
     Mesh_topology::Component& component = topology.components[topology.component[first->triangle]];
     topology.nonmanifold_edges += degree > 2 ? 1 : 0;
     --topology.euler_characteristic;
-    if(degree % 2 == 1) {
+    const bool is_balanced = 2 * ascending == degree;
+    // Two triangles that disagree may be turned over; more are copies of a face as likely as not.
+    if(degree % 2 == 1 || (degree > 2 && !is_balanced))
       component.is_closed = false;
-    } else if(2 * ascending != degree) {
+    if(degree % 2 == 0 && !is_balanced) {
       ++topology.inconsistent_edges;
       component.is_consistently_oriented = false;
     }

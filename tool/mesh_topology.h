@@ -31,7 +31,8 @@ struct Mesh_topology
   std::vector<std::uint32_t> component; // triangle -> piece connected through edges, from 0
   struct Component
   {
-    bool is_closed = true; // every edge has an even number of triangles
+    // every edge has two triangles, or is passed equally often both ways
+    bool is_closed = true;
     bool is_consistently_oriented = true;
     double volume = 0; // signed; of an open piece with its holes closed by cones
     double area = 0;

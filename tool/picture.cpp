@@ -119,7 +119,7 @@ void add_silhouette(const Surface& surface, const AP::Grid_3& grid, std::vector<
         panel.cover(voxel);
     }
   };
-  std::visit([&](const auto& s) { s.source().for_each_batch(0.5 * grid.spacing(), cover); },
+  std::visit([&](const auto& s) { s->source().for_each_batch(0.5 * grid.spacing(), cover); },
              surface);
 }
 

@@ -48,15 +48,16 @@ AP::Surfels surfels_of(const Input& input)
 Surface make_surface(const Input& input, bool use_interpolated_normals)
 {
   if(input.is_point_set)
-    return AP::Constant_scale_space<AP::Surfels>(surfels_of(input));
-  return AP::Constant_scale_space<AP::Triangle_surface>(AP::surface_from_triangle_soup(
-      input.points, input.triangles,
-      AP::parameters::use_interpolated_normals(use_interpolated_normals)));
+    return std::make_shared<const AP::Constant_scale_space<AP::Surfels>>(surfels_of(input));
+  return std::make_shared<const AP::Constant_scale_space<AP::Triangle_surface>>(
+      AP::surface_from_triangle_soup(
+          input.points, input.triangles,
+          AP::parameters::use_interpolated_normals(use_interpolated_normals)));
 }
 
 double area_of(const Surface& surface)
 {
-  return std::visit([](const auto& s) { return s.area(0); }, surface);
+  return std::visit([](const auto& s) { return s->area(0); }, surface);
 }
 
 } // namespace mapt

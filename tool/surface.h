@@ -12,15 +12,18 @@
 #include <CGAL/Area_projection_transform/scale_space/Constant_scale_space.h>
 #include <CGAL/Area_projection_transform/surfels_from_mesh.h>
 
+#include <memory>
 #include <variant>
 
 namespace mapt {
 
 namespace AP = CGAL::Area_projection;
 
+template <class Source>
+using Shared_surface = std::shared_ptr<const AP::Constant_scale_space<Source>>;
+
 /// an input as the library wants it: a mesh or soup, or points.
-using Surface = std::variant<AP::Constant_scale_space<AP::Triangle_surface>,
-                             AP::Constant_scale_space<AP::Surfels>>;
+using Surface = std::variant<Shared_surface<AP::Triangle_surface>, Shared_surface<AP::Surfels>>;
 
 /// \param use_interpolated_normals whether normals vary over the faces; not for points.
 /// \throw Input_error if points have no areas and are too few to estimate them.

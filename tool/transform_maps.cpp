@@ -11,9 +11,8 @@
 #include "text.h"
 #include "threads.h"
 
-#include <CGAL/Area_projection_transform/multiscale.h>
+#include <CGAL/Area_projection_transform/Map_session.h>
 #include <CGAL/Area_projection_transform/projection/Exact_grid_projector.h>
-#include <CGAL/Area_projection_transform/projection/Grid_projector.h>
 #include <CGAL/Area_projection_transform/projection/Paper_grid_projector.h>
 
 #include <functional>
@@ -43,31 +42,41 @@ struct Scale_teller : AP::Multiscale_default_visitor
   }
 };
 
-template <class Source>
-AP::Multiscale_summary project(const AP::Constant_scale_space<Source>& surface,
-                               const Transform_plan& plan, const Transform_options& options,
-                               const Console& console, Side_maps& maps)
+// Calls `function(make_projector)` with what makes projectors by the method that was asked for.
+template <class Source, class Function>
+void with_method(const Transform_options& options, Function&& function)
 {
-  Progress_line line(console, maps.side == AP::Side::INSIDE ? "inside" : "outside");
+  const auto balls = nested_balls(options.kernel);
+  if constexpr(std::is_same_v<Source, AP::Triangle_surface>)
+    if(options.method == "exact")
+      return function(
+          [balls](const AP::Row_spans& part) { return AP::Exact_grid_projector(part, balls); });
+  if(options.method == "paper")
+    return function(
+        [balls](const AP::Row_spans& part) { return AP::Paper_grid_projector(part, balls); });
+  function(AP::Make_grid_projector{balls, options.sampling_ratio});
+}
+
+template <class Session>
+Side_maps compute_side(Session& session, AP::Side side, const Transform_plan& plan,
+                       const Transform_options& options, const Console& console)
+{
+  Side_maps maps{side, AP::Joint_map(plan.region, plan.scales), std::nullopt, {}};
+  if(options.kind != "jmapt")
+    maps.of_scales.emplace(*plan.region, plan.scales.size());
+  Progress_line line(console, side == AP::Side::INSIDE ? "inside" : "outside");
   const std::function<bool(double)> callback = [&line](double fraction) {
     line.show(fraction);
     return !Signal_watch::is_interrupted();
   };
   Scale_teller teller;
   teller.console = &console;
-  const AP::Row_spans& region = *plan.region;
-  const auto balls = nested_balls(options.kernel);
-  const auto run = [&](auto make_projector) {
-    return AP::project_scales<CGAL::Parallel_if_available_tag>(
-        surface, region, plan.scales, maps.side, make_projector, maps,
-        CGAL::parameters::callback(callback).visitor(std::ref(teller)));
-  };
-  if constexpr(std::is_same_v<Source, AP::Triangle_surface>)
-    if(options.method == "exact")
-      return run([&] { return AP::Exact_grid_projector(region, balls); });
-  if(options.method == "paper")
-    return run([&] { return AP::Paper_grid_projector(region, balls); });
-  return run([&] { return AP::Grid_projector(region, balls, options.sampling_ratio); });
+  const AP::Multiscale_summary& summary = session.project(
+      plan.scales, side, maps, CGAL::parameters::callback(callback).visitor(std::ref(teller)));
+  if(!summary.is_complete)
+    throw Interruption();
+  maps.areas_outside = summary.areas_outside;
+  return maps;
 }
 
 } // namespace
@@ -77,17 +86,19 @@ std::vector<Side_maps> compute_maps(const Surface& surface, const Transform_plan
 {
   const Thread_limit limit(plan.threads);
   std::vector<Side_maps> result;
-  for(AP::Side side : plan.sides) {
-    Side_maps maps{side, AP::Joint_map(plan.region, plan.scales), std::nullopt, {}};
-    if(options.kind != "jmapt")
-      maps.of_scales.emplace(*plan.region, plan.scales.size());
-    const AP::Multiscale_summary summary = std::visit(
-        [&](const auto& s) { return project(s, plan, options, console, maps); }, surface);
-    if(!summary.is_complete)
-      throw Interruption();
-    maps.areas_outside = summary.areas_outside;
-    result.push_back(std::move(maps));
-  }
+  const auto compute = [&](const auto& scale_space) {
+    using Scale_space = std::decay_t<decltype(*scale_space)>;
+    using Source = std::decay_t<decltype(scale_space->source())>;
+    with_method<Source>(options, [&](auto make_projector) {
+      AP::Map_session<Scale_space, CGAL::Parallel_if_available_tag, decltype(make_projector)>
+          session(scale_space, plan.voxel, 0, make_projector);
+      for(const AP::Side side : plan.sides) {
+        session.set_region(side, plan.region);
+        result.push_back(compute_side(session, side, plan, options, console));
+      }
+    });
+  };
+  std::visit(compute, surface);
   return result;
 }
 

@@ -51,15 +51,22 @@ void check_memory(const Frame& frame, double bytes, const Transform_options& opt
                     ")");
 }
 
-// What it takes to find the region, and the region itself.
-double bytes_of_region(const Frame& frame, const std::string& region, const Input& input,
-                       double reach_in_voxels)
+// What it takes to find the region, and the region itself. Along each axis the lines of the grid go
+// through the surface once for every two of its voxels, in the mean of all directions.
+double bytes_of_region(const Frame& frame, const Transform_plan& plan, const Input& input,
+                       double area, std::size_t threads)
 {
-  const double spans = 60 * frame.rows();
-  if(region == "band")
-    return spans + 4 * frame.padded_voxels(reach_in_voxels + 1);
-  const bool is_watertight = input.report.is_closed && input.report.is_consistently_oriented;
-  return region == "interior" && !is_watertight ? spans + frame.voxels() : spans;
+  const double rows = 60 * frame.rows();
+  if(plan.region_name == "band")
+    return rows + 60 * double(std::max(input.triangles.size(), input.points.size()));
+  if(plan.region_name == "all")
+    return rows;
+  const double crossings = area / (2 * plan.voxel * plan.voxel);
+  if(input.report.is_closed && input.report.is_consistently_oriented)
+    return rows + 24 * crossings;
+  const auto& size = frame.size;
+  const double lines = size[0] * size[1] + size[1] * size[2] + size[2] * size[0];
+  return rows + 8 * lines + 40 * crossings + double(threads) * 18 * size[0] * size[1];
 }
 
 std::string choose_region(const Input& input, const Transform_options& options)
@@ -87,12 +94,14 @@ void check_for_points(const Input& input, const Transform_options& options)
 AP::Row_spans find_region(const AP::Grid_3& grid, const Surface& surface, double reach,
                           Transform_plan& plan)
 {
+  using Tag = CGAL::Parallel_if_available_tag;
   if(plan.region_name == "band")
-    return std::visit([&](const auto& s) { return AP::band(s.source(), grid, reach); }, surface);
+    return std::visit([&](const auto& s) { return AP::band<Tag>(s->source(), grid, reach); },
+                      surface);
   if(plan.region_name == "all")
     return AP::Row_spans(grid);
-  using Mesh = AP::Constant_scale_space<AP::Triangle_surface>;
-  AP::Interior interior = AP::interior(std::get<Mesh>(surface).source(), grid);
+  using Mesh = Shared_surface<AP::Triangle_surface>;
+  AP::Interior interior = AP::interior<Tag>(std::get<Mesh>(surface)->source(), grid);
   plan.coverage = interior.coverage;
   return std::move(interior.region);
 }
@@ -110,9 +119,13 @@ AP::Forecast forecast(const Frame& frame, const Transform_plan& plan, const Inpu
       stored, frame.rows(), double(std::max(input.triangles.size(), input.points.size())), area,
       plan.voxel, plan.scales, options.sampling_ratio, double(plan.threads),
       sides * maps + (sides - 1) * joint_map);
-  if(options.method == "paper")
-    for(std::size_t k = plan.scales.size(), t = 0; k-- > 0 && t < plan.threads; ++t)
-      result.bytes += 4 * frame.padded_voxels(plan.scales[k].sigma / plan.voxel) - 4 * stored;
+  if(options.method == "paper") {
+    result.bytes -= 4 * stored * double(std::min(plan.threads, plan.scales.size()));
+    for(std::size_t t = 0; t < plan.threads; ++t) {
+      const std::size_t k = plan.scales.size() - 1 - t % plan.scales.size();
+      result.bytes += 4 * frame.padded_voxels(plan.scales[k].sigma / plan.voxel);
+    }
+  }
   result.writes *= sides;
   return result;
 }
@@ -137,20 +150,22 @@ Transform_plan make_plan(const Input& input, const Surface& surface,
   const double reach = largest + plan.scales.back().sigma;
   const double margin = options.margin.value_or(options.side == "inside" ? 0. : largest);
   const Frame frame(box, plan.voxel, margin);
-  check_memory(frame, bytes_of_region(frame, plan.region_name, input, reach / plan.voxel), options);
+  plan.threads = number_of_threads(options.common.threads);
+  const double area = area_of(surface);
+  check_memory(frame, bytes_of_region(frame, plan, input, area, plan.threads), options);
   if(plan.region_name == "all")
     check_memory(frame, 9 * frame.voxels(), options);
   for(const AP::Scale& scale : plan.scales)
     if(scale.sigma > 1000 * plan.voxel)
       throw Usage_error("sigma is " + to_text(scale.sigma, 9) +
                         ": more than 1000 voxels; raise --voxel, or lower --sigma");
+  const Thread_limit limit(plan.threads);
   plan.region = std::make_shared<const AP::Row_spans>(
       find_region(AP::grid_around(box, plan.voxel, margin), surface, reach, plan));
 
   // Fewer threads hold fewer maps: better slow than not at all.
-  plan.threads = std::min(number_of_threads(options.common.threads), plan.scales.size());
   do
-    plan.forecast = forecast(frame, plan, input, area_of(surface), options);
+    plan.forecast = forecast(frame, plan, input, area, options);
   while(plan.forecast.bytes > options.common.max_memory && plan.threads-- > 1);
   check_memory(frame, plan.forecast.bytes, options);
   return plan;

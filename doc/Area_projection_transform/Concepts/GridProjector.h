@@ -10,6 +10,9 @@
 /// Computes the transform over a region of a grid, one scale at a time, in storage that it keeps from
 /// scale to scale. Used by one thread at a time.
 ///
+/// A value depends only on what is projected to within `σ` and two voxels of its voxel, and on the order
+/// in which that comes: several threads may then share a scale, each with the surfels near its voxels.
+///
 /// \cgalHasModel `CGAL::Area_projection::Grid_projector`
 /// \cgalHasModel `CGAL::Area_projection::Exact_grid_projector`
 /// \cgalHasModel `CGAL::Area_projection::Paper_grid_projector`

@@ -32,7 +32,7 @@ namespace Area_projection {
 struct Make_grid_projector
 {
   std::vector<Nested_ball> kernel = Ball_kernel_3().nested_balls();
-  double sampling_ratio = default_sampling_ratio;
+  double sampling_ratio = Grid_projector::default_sampling_ratio;
 
   Grid_projector operator()(const Row_spans& region) const
   {

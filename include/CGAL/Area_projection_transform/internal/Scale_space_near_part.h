@@ -12,6 +12,7 @@
 #include <CGAL/Area_projection_transform/internal/Region_parts.h>
 #include <CGAL/Area_projection_transform/scales.h>
 
+#include <cmath>
 #include <cstddef>
 
 namespace CGAL {
@@ -48,8 +49,8 @@ public:
     m_surface.project(radius, side, spacing, [&](const Projected_surfels& batch) {
       near.clear();
       for(std::size_t s = 0; s < batch.size(); ++s)
-        if(is_wanted(batch.positions[s]))
-          near.push_back(batch.positions[s], batch.areas[s]);
+        if(is_wanted(batch.positions[s], batch.covariances[s]))
+          near.push_back(batch.positions[s], batch.areas[s], batch.covariances[s]);
       sink(static_cast<const Projected_surfels&>(near));
     });
   }
@@ -60,9 +61,11 @@ public:
 private:
   double layer(int k) const { return m_grid.origin().z() + m_grid.spacing() * k; }
 
-  bool is_wanted(const Point_3& p) const
+  bool is_wanted(const Point_3& p, const Covariance_3& covariance) const
   {
-    if(p.z() >= m_low && p.z() <= m_high)
+    // No ramp at the rim of a ball is longer on either side: see Patch.h.
+    const double ramp = std::sqrt(6 * covariance.trace());
+    if(p.z() >= m_low - ramp && p.z() <= m_high + ramp)
       return true;
     if(!m_is_first)
       return false;

@@ -169,14 +169,12 @@ void expect_same_for_any_number_of_threads(MakeProjector make_projector)
 
 TEST(Project_scales, shares_a_scale_among_threads_and_gives_the_same_bits)
 {
-  const auto make = [](auto* type) {
-    return [type](const AP::Row_spans& region) {
-      return std::remove_pointer_t<decltype(type)>(region);
-    };
-  };
-  expect_same_for_any_number_of_threads(make(static_cast<AP::Grid_projector*>(nullptr)));
-  expect_same_for_any_number_of_threads(make(static_cast<AP::Exact_grid_projector*>(nullptr)));
-  expect_same_for_any_number_of_threads(make(static_cast<AP::Paper_grid_projector*>(nullptr)));
+  expect_same_for_any_number_of_threads(
+      [](const AP::Row_spans& part) { return AP::Grid_projector(part); });
+  expect_same_for_any_number_of_threads(
+      [](const AP::Row_spans& part) { return AP::Exact_grid_projector(part); });
+  expect_same_for_any_number_of_threads(
+      [](const AP::Row_spans& part) { return AP::Paper_grid_projector(part); });
 }
 
 // ---------------------------------------------------------------- nothing twice

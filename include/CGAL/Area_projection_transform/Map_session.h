@@ -101,7 +101,6 @@ public:
   {
     m_regions[place(side)] = std::move(region);
     m_kept[place(side)].clear();
-    m_pool.clear();
   }
 
   /// \brief whether `joint_map()` keeps the map of each scale, so that a question about other scales

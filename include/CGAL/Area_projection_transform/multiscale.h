@@ -254,7 +254,7 @@ Multiscale_summary project_scales(const ScaleSpace& surface, const Row_spans& re
 ///     \cgalParamDefault{`Multiscale_default_visitor`}
 ///   \cgalParamNEnd
 /// \cgalNamedParamsEnd
-/// \pre the projectors were made for what they were asked for, and the sink for `region`, and the sink for `scales`
+/// \pre the projectors were made for what they were asked for, and the sink for `region` and `scales`
 /// \return whether all scales were computed, and the area that each lost
 /// \throw std::invalid_argument if a radius or a `σ` is not positive. An exception of a thread stops
 /// the others and is passed on.

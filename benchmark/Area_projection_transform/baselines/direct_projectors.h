@@ -142,7 +142,7 @@ public:
     std::array<int, 3> voxel;
     surface.project(scale.radius, side, grid.spacing(), [&](const AP::Projected_surfels& batch) {
       for(std::size_t s = 0; s < batch.size(); ++s)
-        if(AP::internal::find_nearest_voxel(grid, batch.positions[s], voxel))
+        if(AP::internal::find_nearest_voxel(grid, 1 / grid.spacing(), batch.positions[s], voxel))
           m_convolution->row(voxel[1], voxel[2])[voxel[0]] +=
               std::int32_t(fixed.dithered(batch.areas[s], batch.positions[s]));
         else

@@ -30,7 +30,7 @@ inline int spread_stride(int columns)
   return ((columns + 15) / 16 | 1) * 16;
 }
 
-/// \brief planes of rows of integers. A plane knows which of its rows are empty, that is, all zero.
+/// \brief planes of rows of integers. A plane knows which of its rows are empty; those stand for zeros.
 class Row_planes
 {
 public:
@@ -56,7 +56,6 @@ public:
   }
 
   const std::int32_t* data() const { return m_ints.data(); }
-  const std::int32_t* row(int plane, int row) const { return data() + offset(plane, row); }
 
   /// the rows of a plane that are not empty: 1 for each, 0 for the others and for the padding.
   const unsigned char* is_used(int plane) const
@@ -64,28 +63,30 @@ public:
     return m_is_used.data() + std::size_t(plane) * m_flags + m_padding;
   }
 
-  /// returns a row to write to.
+  /// \brief returns a row to write to; it is not empty from now on.
+  ///
+  /// Of a row that was empty, what it holds is of no meaning.
   std::int32_t* use(int plane, int row)
   {
     m_is_used[std::size_t(plane) * m_flags + std::size_t(m_padding + row)] = 1;
     return m_ints.data() + offset(plane, row);
   }
 
-  /// makes a row of a plane of its own sums empty without a look at what it holds.
-  void forget(int plane, int row)
+  /// returns a row to add to: it is all zero if it was empty.
+  std::int32_t* use_sum(int plane, int row)
   {
-    m_is_used[std::size_t(plane) * m_flags + std::size_t(m_padding + row)] = 0;
+    const bool was_used = is_used(plane)[row] != 0;
+    std::int32_t* const ints = use(plane, row);
+    if(!was_used)
+      std::fill_n(ints, m_stride, 0);
+    return ints;
   }
 
   /// makes all rows of a plane empty.
   void clear(int plane)
   {
-    for(int row = 0; row < m_rows; ++row)
-      if(is_used(plane)[row]) {
-        std::int32_t* const ints = use(plane, row);
-        std::fill(ints, ints + m_stride, 0);
-        forget(plane, row);
-      }
+    std::fill_n(m_is_used.begin() + std::ptrdiff_t(std::size_t(plane) * m_flags), m_flags,
+                static_cast<unsigned char>(0));
   }
 
 private:

@@ -37,7 +37,7 @@ public:
 
   void add(int i, int j, int k, std::int32_t value)
   {
-    m_bins[std::size_t(j / rows_of_bin) * m_layers + std::size_t(k)].push_back({i, j, value});
+    m_bins[std::size_t(j) / rows_of_bin * m_layers + std::size_t(k)].push_back({i, j, value});
   }
 
   /// adds the votes of the rows `first`, …, `last - 1` of a layer to `row(j)[i]`.

@@ -85,17 +85,18 @@ inline void sum_balls_before(Disks_of_row& row, const Disk_layout& layout, int e
   }
 }
 
-/// writes the sums that are left at the end of a row, of less than `lanes + reach` voxels.
-inline void sum_last_balls(const Disks_of_row& row, const Disk_layout& layout)
+/// writes the sums of a row that are left when all disks are summed.
+inline void sum_last_balls(Disks_of_row& row, const Disk_layout& layout)
 {
-  float sums[2 * lanes];
-  int x = row.first;
-  for(float* to = row.sums; x < row.last; x += 2 * lanes, to += 2 * lanes) {
-    const std::size_t size = sizeof(float) * std::size_t(std::min(2 * lanes, row.last - x));
-    std::memcpy(sums, to, size);
-    sum_balls(row, layout, x, sums);
-    std::memcpy(to, sums, size);
-  }
+  sum_balls_before(row, layout, row.last + layout.reach);
+  if(row.first == row.last)
+    return;
+  const std::size_t size = sizeof(float) * std::size_t(row.last - row.first);
+  float sums[2 * lanes] = {};
+  if(layout.is_added)
+    std::memcpy(sums, row.sums, size);
+  sum_balls(row, layout, row.first, sums);
+  std::memcpy(row.sums, sums, size);
 }
 
 /// computes the sums over balls around the voxels of some neighbouring rows.

@@ -30,14 +30,17 @@ namespace Area_projection {
 /// \cond SKIP_IN_MANUAL
 namespace internal {
 
-/// the voxel nearest to a point, if it belongs to the grid.
-inline bool find_nearest_voxel(const Grid_3& grid, const Point_3& p, std::array<int, 3>& voxel)
+/// \brief finds the voxel nearest to a point.
+/// \param voxels_per_unit the inverse of the spacing of the grid
+/// \return whether it belongs to the grid
+inline bool find_nearest_voxel(const Grid_3& grid, double voxels_per_unit, const Point_3& p,
+                               std::array<int, 3>& voxel)
 {
-  const Vector_3 c = grid.lattice_coordinates(p);
   for(int axis = 0; axis < 3; ++axis) {
-    if(!(c[axis] >= -0.5 && c[axis] < grid.size()[axis] - 0.5))
+    const double c = (p[axis] - grid.origin()[axis]) * voxels_per_unit + 0.5;
+    if(!(c >= 0 && c < grid.size()[axis]))
       return false;
-    voxel[axis] = int(c[axis] + 0.5);
+    voxel[axis] = int(c);
   }
   return true;
 }
@@ -73,7 +76,9 @@ inline std::vector<Ball_convolution::Ball> balls_of_voxels(const std::vector<Nes
 /// shift the map by half a voxel.
 ///
 /// The convolution is exact, in integers, and is computed for the rows of the region only. The map has
-/// the same bits for any order of the surfels and any number of threads. Memory: 4 bytes for each voxel
+/// the same bits for any order of the surfels and any number of threads. It takes about `σ²` operations
+/// for a voxel of the region, `σ` in voxels; up to `σ` of 10 voxels this is faster than by Fourier
+/// transforms, even if the region is the whole grid. Memory: 4 bytes for each voxel
 /// of the region, 12 for each surfel, and `3σ + 1` layers of some rows of voxels.
 ///
 /// \cgalModels `GridProjector`
@@ -132,10 +137,12 @@ public:
 private:
   double vote(const Projected_surfels& surfels, const internal::Fixed_point& fixed)
   {
+    const Grid_3& grid = m_region.grid();
+    const double voxels_per_unit = 1 / grid.spacing();
     double area_outside = 0;
     std::array<int, 3> voxel;
     for(std::size_t s = 0; s < surfels.size(); ++s)
-      if(internal::find_nearest_voxel(m_region.grid(), surfels.positions[s], voxel))
+      if(internal::find_nearest_voxel(grid, voxels_per_unit, surfels.positions[s], voxel))
         m_votes.add(voxel[0], voxel[1], voxel[2],
                     std::int32_t(fixed.dithered(surfels.areas[s], surfels.positions[s])));
       else

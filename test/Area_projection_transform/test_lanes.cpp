@@ -15,6 +15,7 @@
 #include <array>
 #include <cmath>
 #include <string>
+#include <vector>
 
 namespace {
 
@@ -29,18 +30,19 @@ protected:
   void TearDown() override { chosen_instruction_set() = available_instruction_sets().back(); }
 };
 
-TEST_P(Every_instruction_set, computes_each_lane_as_a_single_number)
+template <class Number>
+void expect_each_lane_as_a_single_number()
 {
-  std::array<float, 16> x, result;
+  std::array<Number, 16> x, result;
   for(int i = 0; i < 16; ++i)
-    x[i] = 0.37f * float(i - 3);
+    x[i] = Number(0.37f) * Number(i - 3);
   const unsigned within = CGAL_AREA_PROJECTION_DISPATCHED(compute_test, x.data(), result.data());
   for(int i = 0; i < 16; ++i) {
     // volatile keeps the compiler from fusing
-    volatile float root = std::sqrt(std::max(x[i], 0.f));
-    volatile float square = x[i] * x[i], difference = square - root, product = root * x[i];
-    volatile float polynomial = product + difference;
-    const bool is_within = x[i] >= 1.f && x[i] <= 4.f;
+    volatile Number root = std::sqrt(std::max(x[i], Number(0)));
+    volatile Number square = x[i] * x[i], difference = square - root, product = root * x[i];
+    volatile Number polynomial = product + difference;
+    const bool is_within = x[i] >= 1 && x[i] <= 4;
     EXPECT_EQ(result[i], is_within ? polynomial : std::trunc(polynomial)) << "lane " << i;
     EXPECT_EQ((within >> i) & 1, unsigned(is_within)) << "lane " << i;
   }
@@ -62,6 +64,29 @@ TEST_P(Every_instruction_set, sums_chosen_integers_without_error)
   }
   EXPECT_EQ(CGAL_AREA_PROJECTION_DISPATCHED(sum_test, x.data(), weights.data(), &bits), expected);
   EXPECT_EQ(bits, expected_bits);
+}
+
+TEST_P(Every_instruction_set, computes_each_lane_as_a_single_number)
+{
+  expect_each_lane_as_a_single_number<float>();
+  expect_each_lane_as_a_single_number<double>();
+}
+
+TEST_P(Every_instruction_set, stores_selected_lanes_one_after_the_other)
+{
+  std::array<std::int32_t, 16> x;
+  for(int i = 0; i < 16; ++i)
+    x[i] = 7 * i % 13 - 1;
+  for(unsigned selected = 0; selected < 0x10000; selected += selected % 7 + 1) {
+    std::vector<std::int32_t> expected, result(32);
+    for(int i = 0; i < 16; ++i)
+      if(selected >> i & 1)
+        expected.push_back(std::clamp(x[i], 3, 9) + i);
+    const int size =
+        CGAL_AREA_PROJECTION_DISPATCHED(select_test, x.data(), selected, result.data());
+    result.resize(std::size_t(size));
+    ASSERT_EQ(result, expected) << selected;
+  }
 }
 
 INSTANTIATE_TEST_SUITE_P(all, Every_instruction_set,

@@ -10,6 +10,7 @@
 #include <array>
 #include <atomic>
 #include <cstddef>
+#include <cstdint>
 #include <vector>
 
 /// Whether kernels are compiled for several instruction sets and chosen at run time. What the portable
@@ -62,6 +63,24 @@ inline Instruction_set instruction_set()
 {
   return chosen_instruction_set().load(std::memory_order_relaxed);
 }
+
+/// for each set of eight lanes, given by the bits of a number, its lanes in ascending order.
+struct Selected_lanes
+{
+  std::array<std::array<std::uint8_t, 8>, 256> lane{};
+
+  constexpr Selected_lanes()
+  {
+    for(std::size_t set = 0; set < 256; ++set) {
+      std::size_t size = 0;
+      for(std::size_t i = 0; i < 8; ++i)
+        if(set >> i & 1)
+          lane[set][size++] = std::uint8_t(i);
+    }
+  }
+};
+
+inline constexpr Selected_lanes selected_lanes;
 
 } // namespace internal
 } // namespace Area_projection

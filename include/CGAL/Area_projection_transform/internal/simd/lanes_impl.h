@@ -38,14 +38,40 @@ namespace internal {
 namespace CGAL_AREA_PROJECTION_ISA {
 
 constexpr int lanes = CGAL_AREA_PROJECTION_LANES;
+constexpr int double_lanes = lanes / 2;
 
 typedef float Floats __attribute__((vector_size(4 * CGAL_AREA_PROJECTION_LANES)));
 typedef std::int32_t Ints __attribute__((vector_size(4 * CGAL_AREA_PROJECTION_LANES)));
-
-constexpr int double_lanes = lanes / 2;
-
 typedef double Doubles __attribute__((vector_size(4 * CGAL_AREA_PROJECTION_LANES)));
-typedef std::int64_t Longs __attribute__((vector_size(4 * CGAL_AREA_PROJECTION_LANES)));
+/// what comparisons of doubles give; `long` or `long long`, as the compiler likes it.
+using Longs = decltype(Doubles{} < Doubles{});
+/// as many integers as there are doubles.
+typedef std::int32_t Half_ints __attribute__((vector_size(2 * CGAL_AREA_PROJECTION_LANES)));
+
+/// \name What a template over `Floats` or `Doubles` needs to know of them
+/// `tiny` is far below the rounding of 1, and its cube is not zero.
+/// @{
+template <class Lanes>
+struct Lanes_traits;
+
+template <>
+struct Lanes_traits<Floats>
+{
+  using Number = float;
+  using Integers = Ints;
+  static constexpr int size = lanes;
+  static constexpr double tiny = 1e-12;
+};
+
+template <>
+struct Lanes_traits<Doubles>
+{
+  using Number = double;
+  using Integers = Half_ints;
+  static constexpr int size = double_lanes;
+  static constexpr double tiny = 1e-60;
+};
+/// @}
 
 inline Floats all(float x)
 {
@@ -65,6 +91,13 @@ inline Doubles all(double x)
 inline Longs all(std::int64_t x)
 {
   return x - Longs{};
+}
+
+/// `x` rounded to the lanes of a template.
+template <class Lanes>
+inline Lanes all_of(double x)
+{
+  return all(typename Lanes_traits<Lanes>::Number(x));
 }
 
 inline Floats load(const float* from)
@@ -95,6 +128,15 @@ inline Longs load(const std::int64_t* from)
   return x;
 }
 
+/// loads as many integers as the lanes of a template.
+template <class Lanes>
+inline typename Lanes_traits<Lanes>::Integers load_integers(const std::int32_t* from)
+{
+  typename Lanes_traits<Lanes>::Integers x;
+  std::memcpy(&x, from, sizeof x);
+  return x;
+}
+
 inline void store(Floats x, float* to)
 {
   std::memcpy(to, &x, sizeof x);
@@ -105,12 +147,30 @@ inline void store(Ints x, std::int32_t* to)
   std::memcpy(to, &x, sizeof x);
 }
 
+inline void store(Half_ints x, std::int32_t* to)
+{
+  std::memcpy(to, &x, sizeof x);
+}
+
+inline void store(Doubles x, double* to)
+{
+  std::memcpy(to, &x, sizeof x);
+}
+
 /// 0, 1, 2, …
 inline Floats steps()
 {
   Floats x{};
   for(int i = 0; i < lanes; ++i)
     x[i] = float(i);
+  return x;
+}
+
+inline Ints int_steps()
+{
+  Ints x{};
+  for(int i = 0; i < lanes; ++i)
+    x[i] = i;
   return x;
 }
 
@@ -131,9 +191,25 @@ inline Ints truncated(Floats x)
   return __builtin_convertvector(x, Ints);
 }
 
+inline Half_ints truncated(Doubles x)
+{
+  return __builtin_convertvector(x, Half_ints);
+}
+
 inline Floats to_floats(Ints x)
 {
   return __builtin_convertvector(x, Floats);
+}
+
+/// integers as the numbers of a template.
+inline Floats to_numbers(Ints x)
+{
+  return to_floats(x);
+}
+
+inline Doubles to_numbers(Half_ints x)
+{
+  return __builtin_convertvector(x, Doubles);
 }
 
 /// the smaller and the larger of two; the second, if one is not a number.
@@ -189,6 +265,17 @@ inline Doubles max(Doubles a, Doubles b)
 #endif
 }
 
+// SSE2 has no minimum of integers; compilers see what this is on others.
+inline Ints min(Ints a, Ints b)
+{
+  return a < b ? a : b;
+}
+
+inline Ints max(Ints a, Ints b)
+{
+  return a > b ? a : b;
+}
+
 inline Floats sqrt(Floats x)
 {
 #if CGAL_AREA_PROJECTION_LANES == 16
@@ -200,6 +287,21 @@ inline Floats sqrt(Floats x)
 #else
   for(int i = 0; i < lanes; ++i)
     x[i] = __builtin_sqrtf(x[i]);
+  return x;
+#endif
+}
+
+inline Doubles sqrt(Doubles x)
+{
+#if CGAL_AREA_PROJECTION_LANES == 16
+  return (Doubles)_mm512_maskz_sqrt_pd(0xff, (__m512d)x);
+#elif CGAL_AREA_PROJECTION_LANES == 8
+  return (Doubles)_mm256_sqrt_pd((__m256d)x);
+#elif defined(__SSE2__)
+  return (Doubles)_mm_sqrt_pd((__m128d)x);
+#else
+  for(int i = 0; i < lanes / 2; ++i)
+    x[i] = __builtin_sqrt(x[i]);
   return x;
 #endif
 }
@@ -244,6 +346,35 @@ inline std::int64_t sum(Longs x)
   for(int i = 0; i < double_lanes; ++i)
     result += x[i];
   return result;
+}
+
+/// \brief stores the lanes whose bits in `selected` are set, one after the other; what follows them in
+/// the length of a vector is overwritten.
+inline void store_selected(Ints x, unsigned selected, std::int32_t* to)
+{
+#if CGAL_AREA_PROJECTION_LANES == 16
+  x = (Ints)_mm512_maskz_compress_epi32(__mmask16(selected), (__m512i)x);
+  store(x, to);
+#elif CGAL_AREA_PROJECTION_LANES == 8
+  const __m256i order = _mm256_cvtepu8_epi32(
+      _mm_loadl_epi64(reinterpret_cast<const __m128i*>(selected_lanes.lane[selected].data())));
+  store((Ints)_mm256_permutevar8x32_epi32((__m256i)x, order), to);
+#else
+  for(int i = 0; i < lanes; ++i) {
+    *to = x[i];
+    to += selected >> i & 1;
+  }
+#endif
+}
+
+/// the number of bits that are set in a mask.
+inline int number_of_bits(unsigned mask)
+{
+#if CGAL_AREA_PROJECTION_LANES == 4
+  return int(0x4332322132212110u >> 4 * mask & 15); // not every processor counts bits
+#else
+  return __builtin_popcount(mask);
+#endif
 }
 
 /// the sum of the lanes, pairwise: in the same order for any number of threads, but not of lanes.

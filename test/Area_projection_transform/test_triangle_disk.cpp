@@ -4,11 +4,15 @@
 //
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-// The area of a triangle within a disk, on which all exact evaluation rests.
+// The area of a triangle within a disk, on which all exact evaluation rests: the scalar function against
+// quadrature, and the kernel against the scalar function.
 
 #include "shapes.h"
 
 #include <CGAL/Area_projection_transform/internal/triangle_disk.h>
+
+#define CGAL_AREA_PROJECTION_KERNEL "test_triangle_disk_impl.h"
+#include <CGAL/Area_projection_transform/internal/simd/for_each_instruction_set.h>
 
 #include <boost/math/quadrature/gauss_kronrod.hpp>
 
@@ -250,6 +254,193 @@ TEST(Triangle_disk, grows_with_the_radius_from_nothing_to_the_triangle)
       before = area;
     }
     ASSERT_NEAR(before, area_of(corners), 1e-15);
+  }
+}
+
+// ---------------------------------------------------------------- the kernel
+
+/// sixteen triangles and disks as the kernel wants them.
+template <class Number>
+struct Seen_triangles
+{
+  static constexpr int size = 16;
+  Number length[3][16], cosine[3][16], sine[3][16];
+  Number start[3][16], end[3][16], height[3][16];
+  Number squared_radius[16];
+
+  void set(std::size_t lane, const Corners& corners, double radius)
+  {
+    const auto edge = [&](std::size_t i) { return corners[(i + 1) % 3] - corners[i % 3]; };
+    for(std::size_t i = 0; i < 3; ++i) {
+      const double l = std::abs(edge(i)), next = std::abs(edge(i + 1));
+      const Complex along = edge(i) / l, from = std::conj(along) * corners[i];
+      length[i][lane] = Number(l);
+      cosine[i][lane] = Number(std::real(std::conj(edge(i)) * edge(i + 1)) / (l * next));
+      sine[i][lane] = Number(2 * area_of(corners) / (l * next));
+      start[i][lane] = Number(from.real());
+      end[i][lane] = Number(from.real() + l);
+      height[i][lane] = Number(-from.imag());
+    }
+    squared_radius[lane] = Number(radius * radius);
+  }
+};
+
+struct Way_along
+{
+  template <class Number>
+  static void areas(const Seen_triangles<Number>& triangles, Number* areas)
+  {
+    CGAL_AREA_PROJECTION_DISPATCHED(areas_along_the_edges, triangles, areas);
+  }
+};
+
+struct Way_between
+{
+  template <class Number>
+  static void areas(const Seen_triangles<Number>& triangles, Number* areas)
+  {
+    CGAL_AREA_PROJECTION_DISPATCHED(areas_between_the_ends, triangles, areas);
+  }
+};
+
+struct Case
+{
+  Corners corners;
+  double radius;
+};
+
+/// \brief the largest error of the kernel over all instruction sets, which must give the same bits.
+/// \pre the number of cases is a multiple of 16
+template <class Number, class Way>
+double largest_error(const std::vector<Case>& cases)
+{
+  using namespace CGAL::Area_projection::internal;
+  double largest = 0;
+  for(std::size_t first = 0; first < cases.size(); first += 16) {
+    Seen_triangles<Number> triangles;
+    for(std::size_t lane = 0; lane < 16; ++lane)
+      triangles.set(lane, cases[first + lane].corners, cases[first + lane].radius);
+    std::array<Number, 16> areas, others;
+    Way::areas(triangles, areas.data());
+    for(const Instruction_set set : available_instruction_sets()) {
+      chosen_instruction_set() = set;
+      Way::areas(triangles, others.data());
+      EXPECT_EQ(others, areas) << name(set);
+    }
+    for(std::size_t lane = 0; lane < 16; ++lane) {
+      const auto& [corners, radius] = cases[first + lane];
+      largest =
+          std::max(largest, std::abs(0.5 * double(areas[lane]) -
+                                     std::min(within_disk(corners, radius), pi * radius * radius)));
+    }
+  }
+  return largest;
+}
+
+/// triangles of a given extent, not thinner than a hundredth of it, whose boundary is near the circle or not.
+std::vector<Case> random_cases(double extent, std::uint64_t seed)
+{
+  shapes::Random random(seed);
+  std::vector<Case> cases;
+  while(cases.size() < 16000) {
+    const double radius = cases.size() % 2 ? 1 : random(0.05, 1);
+    const Corners corners = random_triangle(random, extent);
+    const double distance = random(std::max(radius - extent, 0.), radius + extent);
+    if(area_of(corners) > 0.01 * extent * extent)
+      cases.push_back({translated(corners, std::polar(distance, random(0, 2 * pi))), radius});
+  }
+  return cases;
+}
+
+// What is rounded, to 6e-8 for floats, are lengths of about the radius, which move edges or the circle.
+// That changes the area by the length of the boundary within the disk times the distance.
+TEST(Triangle_disk_kernel, errs_by_a_few_roundings_of_triangles_of_any_size)
+{
+  for(const double extent : {1e-3, 0.03, 0.1, 0.3, 1.}) {
+    const auto cases = random_cases(extent, 8);
+    EXPECT_LT((largest_error<float, Way_along>(cases)), 6e-7 * extent) << extent;
+    EXPECT_LT((largest_error<double, Way_along>(cases)), 2e-12 * extent) << extent;
+  }
+  for(const double extent : {0.3, 1., 3., 10., 100., 1000.}) {
+    const auto cases = random_cases(extent, 9);
+    EXPECT_LT((largest_error<float, Way_between>(cases)), 8e-7) << extent;
+    EXPECT_LT((largest_error<double, Way_between>(cases)), 1e-14 * (1 + extent)) << extent;
+  }
+}
+
+TEST(Triangle_disk_kernel, knows_slivers)
+{
+  shapes::Random random(10);
+  std::vector<Case> cases;
+  while(cases.size() < 16000) {
+    Corners corners = random_triangle(random, 1.);
+    const Complex along = corners[1] - corners[0];
+    const double t = random(-0.5, 1.5);
+    corners[2] = corners[0] + (t + std::pow(10., -random(1, 9)) * Complex(0, 1)) * along;
+    cases.push_back({corners, 1});
+  }
+  EXPECT_LT((largest_error<float, Way_along>(cases)), 1e-6);
+  EXPECT_LT((largest_error<float, Way_between>(cases)), 1e-6);
+  EXPECT_LT((largest_error<double, Way_between>(cases)), 1e-14);
+}
+
+/// triangles that touch the circle, hold the disk or are held by it, with their corners and edges at its
+/// centre or not, exactly or up to rounding.
+std::vector<Case> special_cases()
+{
+  std::vector<Case> cases;
+  for(int n = 0; n < 720; ++n) {
+    const Complex rim = std::polar(1., n * pi / 36), tangent = rim * Complex(0, 1);
+    const double tiny = n < 72 ? 0 : std::pow(10., -double(n / 72) - 6);
+    const std::vector<Corners> special{
+        {rim, 2. * rim - tangent, 2. * rim + tangent},                 // a corner, from outside
+        {rim, -0.1 * rim + 0.2 * tangent, -0.1 * rim - 0.2 * tangent}, // a corner, from inside
+        {rim - tangent, 2. * rim, rim + tangent},                      // an edge, from outside
+        {rim + tangent, -3. * rim, rim - tangent},                     // an edge, from inside
+        {Complex(), rim, tangent},                                     // a corner at the centre
+        {Complex(), 0.3 * rim, 0.5 * tangent},
+        {Complex(), 3. * rim, 2. * tangent},
+        {-rim, rim, 0.5 * tangent}, // an edge through the centre
+        {-2. * rim, 3. * rim, 4. * tangent},
+        {-3. * rim - 2. * tangent, 3. * rim - 2. * tangent, 5. * tangent}, // around the disk
+        {0.3 * rim, 0.3 * tangent, -0.3 * rim},                            // within the disk
+        {3. * rim - tangent, 3. * rim, 2. * rim},                          // apart
+    };
+    for(const Corners& corners : special)
+      cases.push_back({translated(corners, tiny * (rim + 0.3 * tangent)), 1});
+  }
+  return cases;
+}
+
+TEST(Triangle_disk_kernel, knows_what_touches_and_what_holds)
+{
+  const auto cases = special_cases();
+  EXPECT_LT((largest_error<float, Way_along>(cases)), 3e-6);
+  EXPECT_LT((largest_error<float, Way_between>(cases)), 1e-6);
+  // The scalar function cuts off by 1e-16 what touches, which costs up to 1e-12.
+  EXPECT_LT((largest_error<double, Way_along>(cases)), 1e-11);
+  EXPECT_LT((largest_error<double, Way_between>(cases)), 1e-11);
+}
+
+TEST(Triangle_disk_kernel, gives_nothing_to_what_is_apart_and_a_full_disk_to_what_holds_it)
+{
+  Seen_triangles<double> triangles;
+  for(std::size_t lane = 0; lane < 16; ++lane) {
+    const Complex turn = std::polar(1., double(lane));
+    if(lane % 2)
+      triangles.set(lane, {1.5 * turn, 3. * turn, turn * Complex(2, 1)}, 1);
+    else
+      triangles.set(lane, {turn * Complex(-8, -5), turn * Complex(9, -5), turn * Complex(0, 9)}, 2);
+  }
+  std::array<double, 16> areas;
+  for(const bool is_along : {true, false}) {
+    is_along ? Way_along::areas(triangles, areas.data())
+             : Way_between::areas(triangles, areas.data());
+    for(std::size_t lane = 0; lane < 16; ++lane)
+      if(lane % 2)
+        EXPECT_EQ(areas[lane], 0);
+      else
+        EXPECT_NEAR(areas[lane], 2 * pi * 4, 1e-14);
   }
 }
 

@@ -53,10 +53,13 @@ double area_projection_transform(const TriangleMesh& mesh, const Point& x, doubl
   internal::check_positive(radius, "radius");
   const Side side = choose_parameter(get_parameter(np, parameters::tags::side), Side(Side::INSIDE));
   const Point_3 center = internal::to_point(x);
+  const Triangle_surface surface = surface_from_mesh(mesh, np);
+  internal::check_flat(surface);
+  const double distance = internal::signed_distance(side, radius);
   double area = 0;
-  for(const internal::Projected_triangle& triangle : internal::project_triangles(
-          surface_from_mesh(mesh, np), internal::signed_distance(side, radius)))
-    area += triangle.area_within(center, sigma);
+  for(std::size_t t = 0; t < surface.size(); ++t)
+    area += surface.areas[t] *
+            internal::projected_triangle(surface, t, distance).fraction_within(center, sigma);
   return area;
 }
 

@@ -181,11 +181,33 @@ TEST(Exact_evaluator, agrees_with_the_sum_over_all_triangles)
       for(int n = 0; n < 100; ++n) {
         const Point_3 x = random.point_in(CGAL::Bbox_3(-1.3, -1.3, -1.3, 1.3, 1.3, 1.3));
         const double sigma = random(0.05, 0.9) * radius;
-        ASSERT_NEAR(evaluator(x, sigma), sum_over_triangles(soup, x, radius, sigma), 1e-12 * area);
+        const double value = evaluator(x, sigma);
+        ASSERT_NEAR(value, sum_over_triangles(soup, x, radius, sigma), 1e-12 * area);
+        for(const auto set : AP::internal::available_instruction_sets()) {
+          AP::internal::chosen_instruction_set() = set;
+          ASSERT_EQ(evaluator(x, sigma), value) << AP::internal::name(set);
+        }
       }
       EXPECT_NEAR(evaluator(Point_3(0, 0, 0), 100), area, 1e-12 * area); // everything at once
       EXPECT_EQ(evaluator(Point_3(50, 0, 0), 1), 0);
     }
+  }
+}
+
+// Trees of one level and of several, with nodes that are not full.
+TEST(Exact_evaluator, agrees_with_the_sum_over_all_triangles_for_any_number_of_them)
+{
+  shapes::Random random(3);
+  Soup blob = shapes::blob(3, 1);
+  for(const std::size_t size : {1280, 1000, 513, 512, 511, 65, 64, 63, 9, 8, 7, 1}) {
+    blob.triangles.resize(size);
+    const AP::Exact_evaluator evaluator(shapes::scale_space_of(blob), 0.5, Side::INSIDE);
+    for(int n = 0; n < 30; ++n) {
+      const Point_3 x = random.point_in(CGAL::Bbox_3(-1, -1, -1, 1, 1, 1));
+      const double sigma = random(0.05, 0.9);
+      ASSERT_NEAR(evaluator(x, sigma), sum_over_triangles(blob, x, 0.5, sigma), 1e-12) << size;
+    }
+    EXPECT_NEAR(evaluator(Point_3(0, 0, 0), 100), blob.area(), 1e-12);
   }
 }
 

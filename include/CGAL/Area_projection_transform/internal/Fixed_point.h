@@ -37,9 +37,27 @@ public:
   /// result depends on the surfel and not on its place in a list.
   std::uint32_t dithered(double area, const Point_3& position) const
   {
-    const double quanta = area * m_inverse;
-    const double many = 4096; // rounding changes larger areas by less than 1/8000
-    return wrap(std::int64_t(quanta + (quanta > many ? 0.5 : uniform(position))));
+    return rounded(quanta(area), uniform(position));
+  }
+
+  double quanta(double area) const { return area * m_inverse; }
+
+  /// of this many quanta and more, rounding changes areas by less than 1/8000.
+  static constexpr double many = 4096;
+
+  /// the same for quanta, and what `uniform()` says of the position.
+  static std::uint32_t rounded(double quanta, double dither)
+  {
+    return wrap(std::int64_t(quanta + (quanta > many ? 0.5 : dither)));
+  }
+
+  /// a number in [0, 1) that looks random, from the bits of the coordinates.
+  static double uniform(const Point_3& p)
+  {
+    std::uint64_t h = bits(p.x()) * 0x9e3779b97f4a7c15u;
+    h = (h ^ (h >> 32) ^ bits(p.y())) * 0xbf58476d1ce4e5b9u;
+    h = (h ^ (h >> 32) ^ bits(p.z())) * 0x94d049bb133111ebu;
+    return double(h >> 40) * 0x1p-24;
   }
 
 private:
@@ -51,15 +69,6 @@ private:
     std::uint64_t result;
     std::memcpy(&result, &value, sizeof result);
     return result;
-  }
-
-  /// a number in [0, 1) that looks random, from the bits of the coordinates.
-  static double uniform(const Point_3& p)
-  {
-    std::uint64_t h = bits(p.x()) * 0x9e3779b97f4a7c15u;
-    h = (h ^ (h >> 32) ^ bits(p.y())) * 0xbf58476d1ce4e5b9u;
-    h = (h ^ (h >> 32) ^ bits(p.z())) * 0x94d049bb133111ebu;
-    return double(h >> 40) * 0x1p-24;
   }
 
   int m_exponent;

@@ -4,10 +4,10 @@
 //
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-// Sums of weights in balls at arbitrary points: CGAL's search, nanoflann, the tree of the library, and cells
-// with prefix sums, on the parallel surface of a bumpy sphere. CPU times of one thread.
+// Sums of weights in balls at arbitrary points, on the parallel surface of a bumpy sphere.
 
 #include "Weighted_point_cells.h"
+#include "benchmark_suite.h"
 
 #include <CGAL/Area_projection_transform/projection/Kd_tree_evaluator.h>
 #include <CGAL/Area_projection_transform/projection/Sampled_evaluator.h>
@@ -15,35 +15,27 @@
 #include <CGAL/Random.h>
 #include <CGAL/point_generators_3.h>
 
+#ifdef AREA_PROJECTION_TRANSFORM_NANOFLANN
+#include <nanoflann.hpp>
+#endif
+
 #include <algorithm>
 #include <cmath>
-#include <ctime>
 #include <functional>
-#include <iomanip>
-#include <iostream>
 #include <memory>
 #include <string>
 #include <vector>
 
-#if __has_include(<nanoflann.hpp>)
-#include <nanoflann.hpp>
-#define AREA_PROJECTION_TRANSFORM_HAS_NANOFLANN
-#endif
-
-namespace AP = CGAL::Area_projection;
+namespace Benchmarks {
 
 namespace {
 
+namespace AP = CGAL::Area_projection;
 using AP::Point_3;
 using AP::Vector_3;
 
-/// sums for the balls of one radius.
+/// the sum in the ball of a radius around a point.
 using Sum = std::function<double(const Point_3&, double)>;
-
-double seconds()
-{
-  return double(std::clock()) / CLOCKS_PER_SEC;
-}
 
 /// \brief points of the surface `r(d) = 1 + 0.1 b(d)`, moved inward by 0.3, where the normal is taken from
 /// the gradient of the bumps `b`; all of the same weight, 1 in total.
@@ -106,7 +98,7 @@ struct As_they_are
   }
 };
 
-#ifdef AREA_PROJECTION_TRANSFORM_HAS_NANOFLANN
+#ifdef AREA_PROJECTION_TRANSFORM_NANOFLANN
 struct Nanoflann_points
 {
   const std::vector<Point_3>& positions;
@@ -176,91 +168,141 @@ struct Cell_sums
   AP::internal::Weighted_point_cells cells;
 };
 
+/// a way to sum: `make` builds what answers.
 struct Method
 {
   std::string name;
-  Sum sum;
-  double build; // milliseconds
+  std::function<Sum()> make;
 };
 
 template <class Make>
-Method built(const std::string& name, Make make)
+Method method(const std::string& name, Make make)
 {
-  const double start = seconds();
-  const auto sums = make();
-  return {name, [sums](const Point_3& x, double sigma) { return (*sums)(x, sigma); },
-          1e3 * (seconds() - start)};
+  return {name, [make] {
+            return [sums = make()](const Point_3& x, double sigma) { return (*sums)(x, sigma); };
+          }};
 }
 
+/// The points must outlive the methods and what they make.
 std::vector<Method> methods_for_all_radii(const AP::Projected_surfels& points)
 {
   std::vector<Method> methods;
-  methods.push_back(built("CGAL Fuzzy_sphere", [&] {
+  methods.push_back(method("CGAL Fuzzy_sphere", [&points] {
     return std::make_shared<AP::Kd_tree_evaluator>(As_they_are{points}, 1, AP::Side::INSIDE, 1);
   }));
-#ifdef AREA_PROJECTION_TRANSFORM_HAS_NANOFLANN
-  methods.push_back(built("nanoflann", [&] { return std::make_shared<Nanoflann_sums>(points); }));
+#ifdef AREA_PROJECTION_TRANSFORM_NANOFLANN
+  methods.push_back(
+      method("nanoflann", [&points] { return std::make_shared<Nanoflann_sums>(points); }));
 #endif
-  methods.push_back(built("tree", [&] { return std::make_shared<AP::Sampled_evaluator>(points); }));
+  methods.push_back(method("Sampled_evaluator",
+                           [&points] { return std::make_shared<AP::Sampled_evaluator>(points); }));
   return methods;
 }
 
-/// microseconds for each sum, the least of three runs.
-double time_of_sums(const Sum& sum, const std::vector<Point_3>& places, double sigma, double& total)
+std::vector<Method> methods_for_radius(const AP::Projected_surfels& points, double sigma)
 {
-  double least = HUGE_VAL;
-  for(int run = 0; run < 3; ++run) {
-    total = 0;
-    const double start = seconds();
-    for(const Point_3& x : places)
-      total += sum(x, sigma);
-    least = std::min(least, 1e6 * (seconds() - start) / double(places.size()));
-  }
-  return least;
+  std::vector<Method> methods;
+  for(int division : {3, 5, 8})
+    methods.push_back(
+        method("cells of σ/" + std::to_string(division), [&points, size = sigma / division] {
+          return std::make_shared<Cell_sums>(points, size);
+        }));
+  return methods;
 }
 
-void print_rows(const AP::Projected_surfels& points, const std::vector<Method>& methods,
-                double points_in_ball, std::ostream& out)
+std::vector<double> sums_at(const std::vector<Point_3>& places, double sigma, const Sum& sum)
 {
-  const double sigma = radius_of_balls(points, methods.back().sum, points_in_ball);
-  const std::vector<Point_3> places = places_near(points, sigma / 2, 2000);
-  std::vector<Method> all = methods;
-  for(int division : {3, 4, 6, 8})
-    all.push_back(built("cells of sigma / " + std::to_string(division),
-                        [&] { return std::make_shared<Cell_sums>(points, sigma / division); }));
-  double of_search = 0, sum_of_search = 0;
-  for(const Method& method : all) {
-    double sum = 0;
-    const double time = time_of_sums(method.sum, places, sigma, sum);
-    if(of_search == 0) {
-      of_search = time;
-      sum_of_search = sum;
-    }
-    out << std::defaultfloat << std::setprecision(6) << std::setw(9) << points.size()
-        << std::setw(9) << points_in_ball << "  " << std::left << std::setw(20) << method.name
-        << std::right << std::fixed << std::setprecision(1) << std::setw(9) << method.build
-        << std::setprecision(2) << std::setw(10) << time << std::setprecision(1) << std::setw(9)
-        << of_search / time << std::scientific << std::setw(11) << std::abs(sum / sum_of_search - 1)
-        << "\n";
-  }
+  std::vector<double> sums;
+  sums.reserve(places.size());
+  for(const Point_3& x : places)
+    sums.push_back(sum(x, sigma));
+  return sums;
 }
 
-void benchmark_ball_sums(std::ostream& out)
+/// the largest difference, relative to the largest sum.
+double error_of(const std::vector<double>& sums, const std::vector<double>& expected)
 {
-  out << "instructions: " << name(AP::internal::instruction_set()) << "\n"
-      << "   points  in ball  method               build ms    sum us  CGAL/it  difference\n";
-  for(std::size_t number : {100000, 1000000}) {
+  double difference = 0;
+  for(std::size_t i = 0; i < sums.size(); ++i)
+    difference = std::max(difference, std::abs(sums[i] - expected[i]));
+  return difference / *std::max_element(expected.begin(), expected.end());
+}
+
+struct Named_sum
+{
+  std::string name;
+  Sum sum;
+};
+
+std::vector<Named_sum> made(const std::vector<Method>& methods)
+{
+  std::vector<Named_sum> sums;
+  for(const Method& m : methods)
+    sums.push_back({m.name, m.make()});
+  return sums;
+}
+
+void compare_sums(Group& group, const AP::Projected_surfels& points, std::vector<Named_sum> sums,
+                  double points_in_ball)
+{
+  const double sigma = radius_of_balls(points, sums.back().sum, points_in_ball);
+  const std::vector<Point_3> places = places_near(
+      points, sigma / 2, group.pick(std::size_t(50), std::size_t(500), std::size_t(2000)));
+  for(Named_sum& cells : made(methods_for_radius(points, sigma)))
+    sums.push_back(std::move(cells));
+  const std::vector<double> expected = sums_at(places, sigma, sums.front().sum);
+
+  Comparison comparison = group.comparison(
+      "sums",
+      {{"points", points.size()}, {"points in ball", points_in_ball}, {"sums", places.size()}});
+  for(const Named_sum& s : sums) {
+    Row& row = comparison.add(s.name, [&] { keep(sums_at(places, sigma, s.sum).data()); });
+    row.measures.emplace_back("error", error_of(sums_at(places, sigma, s.sum), expected));
+  }
+  comparison.run();
+}
+
+void compare_building(Group& group, const AP::Projected_surfels& points,
+                      const std::vector<Method>& methods, double sigma)
+{
+  Comparison comparison = group.comparison("building", {{"points", points.size()}});
+  const auto add = [&comparison](const Method& m) {
+    comparison.add(m.name, [make = m.make] { keep(bool(make())); });
+  };
+  for(const Method& m : methods)
+    add(m);
+  for(const Method& m : methods_for_radius(points, sigma))
+    add(m);
+  comparison.run();
+}
+
+void ball_sums(Group& group)
+{
+  const std::size_t most = group.pick(std::size_t(2000), std::size_t(100000), std::size_t(1000000));
+  for(std::size_t number = std::min(most, std::size_t(100000)); number <= most; number *= 10) {
     const AP::Projected_surfels points = offset_of_bumpy_sphere(number);
     const std::vector<Method> methods = methods_for_all_radii(points);
+    const std::vector<Named_sum> sums = made(methods);
+    compare_building(group, points, methods, radius_of_balls(points, sums.back().sum, 100));
     for(double points_in_ball : {100., 2600., 10000., 90000.})
       if(points_in_ball < 0.5 * double(number))
-        print_rows(points, methods, points_in_ball, out);
+        compare_sums(group, points, sums, points_in_ball);
   }
 }
+
+const Registered_group registered(
+    "ball_sums",
+    "Sums of the weights of points in balls at arbitrary places, on the parallel surface "
+    "of a bumpy sphere. The baseline is the search of CGAL; the errors are the largest "
+    "differences from it, relative to the largest sum. Cells are for one radius σ of the "
+    "balls, the others for any; in the table of building, it is that of balls of 100 "
+    "points."
+#ifndef AREA_PROJECTION_TRANSFORM_NANOFLANN
+    " Built without nanoflann: its rows are missing."
+#endif
+    ,
+    ball_sums);
 
 } // namespace
 
-int main()
-{
-  benchmark_ball_sums(std::cout);
-}
+} // namespace Benchmarks

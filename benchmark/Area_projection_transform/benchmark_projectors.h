@@ -17,6 +17,7 @@
 #include <CGAL/Area_projection_transform/projection/Grid_projector.h>
 #include <CGAL/Area_projection_transform/projection/Paper_grid_projector.h>
 
+#include <cmath>
 #include <memory>
 
 namespace Benchmarks {
@@ -33,7 +34,7 @@ inline auto grid_projector(const AP::Row_spans& region, double sampling_ratio)
 
 inline auto grid_projector(const AP::Row_spans& region)
 {
-  return grid_projector(region, AP::default_sampling_ratio);
+  return grid_projector(region, AP::Grid_projector::default_sampling_ratio);
 }
 
 inline auto exact_projector(const AP::Row_spans& region)
@@ -46,6 +47,16 @@ inline auto paper_projector(const AP::Row_spans& region)
   return [&region] { return AP::Paper_grid_projector(region); };
 }
 /// @}
+
+/// the number of voxels in a ball of a radius in voxels, about.
+inline double size_of_ball(double radius)
+{
+  return 4.19 * std::pow(radius, 3);
+}
+
+/// \brief how many times as long direct sums over balls take as one reads the paper, at most, compared with
+/// tuned ones.
+constexpr double slowness_of_literal = 12;
 
 /// computes all scales into a joint map of the region.
 template <class ConcurrencyTag = CGAL::Sequential_tag, class MakeProjector>

@@ -27,18 +27,13 @@ Surface surface_of(const Soup& soup)
   return Surface(AP::surface_from_triangle_soup(soup.points, soup.triangles));
 }
 
-/// the number of voxels in the ball of a scale.
-double size_of_ball(const Job& job, const AP::Scale& scale)
-{
-  return 4.19 * std::pow(scale.sigma / job.region.grid().spacing(), 3);
-}
-
 /// the additions of the paper's algorithm: a ball of voxels at each voxel.
 double additions_of_paper(const Job& job)
 {
   double additions = 0;
   for(const AP::Scale& scale : job.scales)
-    additions += double(job.region.storage_size()) * size_of_ball(job, scale);
+    additions +=
+        double(job.region.storage_size()) * size_of_ball(scale.sigma / job.region.grid().spacing());
   return additions;
 }
 
@@ -50,7 +45,7 @@ double cuts_of_exact(const Job& job)
   const double area = source.total_area() / std::pow(job.region.grid().spacing(), 2);
   double cuts = 0;
   for(const AP::Scale& scale : job.scales) {
-    const double ball = size_of_ball(job, scale);
+    const double ball = size_of_ball(scale.sigma / job.region.grid().spacing());
     cuts += double(source.size()) * std::max(1., ball) + area * std::sqrt(ball);
   }
   return cuts;

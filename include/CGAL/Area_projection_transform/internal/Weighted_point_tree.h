@@ -67,7 +67,7 @@ namespace internal {
 /// numbers, no point of a box comes out nearer or farther than the box does: every point is judged as if
 /// its own distance had been computed, without any tolerance.
 ///
-/// There is no rule that chooses another structure, since none was needed: `benchmark_ball_sums` compares
+/// There is no rule that chooses another structure, since none was needed: the benchmark `ball_sums` compares
 /// it with cells of `σ/3` to `σ/8` with prefix sums of the weights along rows of cells, for balls that all
 /// have the same `σ`. Among 10^6 points, a sum over 10^2, 2600, 10^4 and 9·10^4 points takes 0.7, 3.2, 5.6
 /// and 17 µs here and 1.0, 6.7, 12 and 64 µs at best there, where the points of whole cells along the rim

@@ -118,7 +118,8 @@ inline void set_rows(const Row_arrays& arrays, const Patch& p, int j, float z, s
   store(truncated(end), rows.end);
   if(is_large) {
     const Floats full = sqrt(max(p.full * p.full - squared, all(0.f)));
-    store(truncated(max(-rounded_down(full - p.x, least), begin)), rows.full_begin);
+    // A hull may end before the voxels that hold all.
+    store(truncated(min(max(-rounded_down(full - p.x, least), begin), end)), rows.full_begin);
     store(truncated(min(rounded_down(full + p.x, least) + 1.f, end)), rows.full_end);
   }
 }

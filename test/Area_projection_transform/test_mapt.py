@@ -376,7 +376,7 @@ class Transform(Test):
         before = sorted(self.path.iterdir())
         command = subprocess.Popen(
             [MAPT, "transform", self.sphere, "-o", self.path / "map.vti", "--json", "-n", "255",
-             "-j", "1", "--sampling-ratio", "0.01", "-v"],
+             "-j", "1", "--sampling-ratio", "0.03", "-v"],
             stdout=subprocess.PIPE, stderr=subprocess.PIPE, text=True)
         self.assertIn("is done", command.stderr.readline()) # the first of many radii
         command.send_signal(signal.SIGINT)

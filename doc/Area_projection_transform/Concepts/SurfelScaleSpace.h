@@ -11,6 +11,7 @@
 /// large. All functions may be called concurrently.
 ///
 /// \cgalHasModel `CGAL::Area_projection::Constant_scale_space`
+/// \cgalHasModel `CGAL::Area_projection::Smoothing_scale_space`
 class SurfelScaleSpace
 {
 public:

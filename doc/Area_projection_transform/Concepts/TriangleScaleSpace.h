@@ -11,9 +11,10 @@
 ///
 /// \cgalRefines `SurfelScaleSpace`
 /// \cgalHasModel `CGAL::Area_projection::Constant_scale_space<CGAL::Area_projection::Triangle_surface>`
+/// \cgalHasModel `CGAL::Area_projection::Smoothing_scale_space`, if its smoother makes triangles
 class TriangleScaleSpace
 {
 public:
-  /// the surface as seen at `radius`, each triangle with one normal; valid as long as the scale space.
-  const CGAL::Area_projection::Triangle_surface& triangles(double radius) const;
+  /// the surface as seen at `radius`, each triangle with one normal.
+  std::shared_ptr<const CGAL::Area_projection::Triangle_surface> triangles(double radius) const;
 };

@@ -56,7 +56,7 @@ public:
   }
 
   /// all of them: projectors of triangles find out by themselves.
-  const auto& triangles(double radius) const { return m_surface.triangles(radius); }
+  auto triangles(double radius) const { return m_surface.triangles(radius); }
 
 private:
   double layer(int k) const { return m_grid.origin().z() + m_grid.spacing() * k; }

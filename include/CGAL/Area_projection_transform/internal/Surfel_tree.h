@@ -176,6 +176,15 @@ public:
     build(source, elements.data(), elements.data() + elements.size());
   }
 
+  /// \brief a tree of the shape of another, over a surface with the same elements that may have changed
+  /// their places, normals and areas. It is the better the less they did.
+  Surfel_tree(const Surfel_tree& shape, const Source& changed)
+      : m_unit(shape.m_unit), m_nodes(shape.m_nodes)
+  {
+    if(!m_nodes.empty())
+      refit(changed, 0);
+  }
+
   double area() const { return m_nodes.empty() ? 0 : m_nodes.front().area; }
 
   /// \brief hands the projection at signed `distance` to `sink(const Projected_surfels&)`, batch by
@@ -188,7 +197,9 @@ public:
     const double largest = largest_variance(spacing / m_unit);
     for(std::size_t i = 0; i < m_nodes.size();) {
       const Node& node = m_nodes[i];
-      if(node.projected(Node::trace, d) <= largest) {
+      if(!(node.area > 0)) {
+        i = node.next;
+      } else if(node.projected(Node::trace, d) <= largest) {
         batcher.push_back(node.position + distance * node.normal, node.area,
                           (m_unit * m_unit) * node.projected_covariance(d));
         i = node.next;
@@ -302,15 +313,30 @@ private:
       moments = build(source, first, middle);
       moments = combine(moments, build(source, middle, last));
     }
-    Node& node = m_nodes[index];
+    m_nodes[index].next = std::uint32_t(m_nodes.size());
+    store(moments, m_nodes[index]);
+    return moments;
+  }
+
+  Surfel_moments refit(const Source& source, std::size_t index)
+  {
+    const Node& node = m_nodes[index];
+    const Surfel_moments moments =
+        node.is_element()
+            ? moments_of_element(source, node.element)
+            : combine(refit(source, index + 1), refit(source, m_nodes[index + 1].next));
+    store(moments, m_nodes[index]);
+    return moments;
+  }
+
+  void store(const Surfel_moments& moments, Node& node) const
+  {
     node.position = moments.position;
     node.normal = moments.normal;
     node.area = moments.area;
     node.of_positions = rounded(moments.of_positions, 1 / (m_unit * m_unit));
     node.mixed = rounded(moments.mixed, 1 / m_unit);
     node.of_normals = rounded(moments.of_normals, 1);
-    node.next = std::uint32_t(m_nodes.size());
-    return moments;
   }
 
   double m_unit = 0;

@@ -38,7 +38,8 @@ public:
   Exact_evaluator(const ScaleSpace& surface, double radius, Side side)
   {
     internal::check_positive(radius, "radius");
-    const Triangle_surface& triangles = surface.triangles(radius);
+    const auto kept = surface.triangles(radius);
+    const Triangle_surface& triangles = *kept;
     internal::check_flat(triangles);
     m_tree =
         internal::Exact_tree_builder(triangles, internal::signed_distance(side, radius)).build();

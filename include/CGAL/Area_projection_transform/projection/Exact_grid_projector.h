@@ -54,7 +54,8 @@ public:
   template <class ScaleSpace, class Cancelled>
   double project(const ScaleSpace& surface, const Scale& scale, Side side, Cancelled&& cancelled)
   {
-    const Triangle_surface& triangles = surface.triangles(scale.radius);
+    const auto kept = surface.triangles(scale.radius);
+    const Triangle_surface& triangles = *kept;
     internal::check_flat(triangles);
     const internal::Fixed_point fixed(surface.area(scale.radius));
     m_quantum = fixed.quantum();

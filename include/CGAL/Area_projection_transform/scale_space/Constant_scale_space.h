@@ -10,7 +10,9 @@
 #include <CGAL/Area_projection_transform/Side.h>
 #include <CGAL/Area_projection_transform/internal/Surfel_tree.h>
 
+#include <memory>
 #include <type_traits>
+#include <utility>
 
 namespace CGAL {
 namespace Area_projection {
@@ -24,15 +26,17 @@ class Constant_scale_space
 {
 public:
   /// Complexity: `O(n log n)` for `n` elements; 360 bytes for each triangle, 400 while it builds.
-  explicit Constant_scale_space(Source source) : m_source(std::move(source)), m_tree(m_source) {}
+  explicit Constant_scale_space(Source source)
+      : m_source(std::make_shared<const Source>(std::move(source))), m_tree(*m_source)
+  {}
 
-  const Source& source() const { return m_source; }
+  const Source& source() const { return *m_source; }
 
   /// the total area of the surface as seen at `radius`.
   double area(double /* radius */) const { return m_tree.area(); }
 
   /// the bounding box of the surface.
-  Bbox_3 bbox() const { return m_source.bbox(); }
+  Bbox_3 bbox() const { return m_source->bbox(); }
 
   /// \brief hands the parallel surface at `radius`, as points about `spacing` apart, to
   /// `sink(const Projected_surfels&)`, batch by batch.
@@ -47,11 +51,11 @@ public:
   void project(double radius, Side side, double spacing, BatchSink&& sink) const
   {
     internal::check_positive(spacing, "spacing");
-    m_tree.project(m_source, internal::signed_distance(side, radius), spacing, sink);
+    m_tree.project(*m_source, internal::signed_distance(side, radius), spacing, sink);
   }
 
   /// the triangles of the surface as seen at `radius`, for exact evaluation.
-  const Triangle_surface& triangles(double /* radius */) const
+  std::shared_ptr<const Triangle_surface> triangles(double /* radius */) const
   {
     static_assert(std::is_same_v<Source, Triangle_surface>,
                   "exact evaluation needs triangles; a point set has none");
@@ -59,7 +63,7 @@ public:
   }
 
 private:
-  Source m_source;
+  std::shared_ptr<const Source> m_source;
   internal::Surfel_tree<Source> m_tree;
 };
 

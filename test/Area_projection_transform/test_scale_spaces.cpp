@@ -1,0 +1,476 @@
+// Copyright (c) 2026 The Area Projection Transform authors.
+//
+// This file is part of the Area_projection_transform package.
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+// The surface as seen at a radius: what smoothing does to spheres, planes, plates and bumps follows from
+// the equation of heat, and from where area is.
+
+#include "shapes.h"
+
+#include <CGAL/Area_projection_transform/Map_session.h>
+#include <CGAL/Area_projection_transform/projection/Exact_evaluator.h>
+#include <CGAL/Area_projection_transform/projection/Exact_grid_projector.h>
+#include <CGAL/Area_projection_transform/scale_space/Averaged_normals.h>
+#include <CGAL/Area_projection_transform/scale_space/Constant_scale_space.h>
+#include <CGAL/Area_projection_transform/scale_space/Mean_curvature_flow.h>
+#include <CGAL/Area_projection_transform/scale_space/Smoothing_scale_space.h>
+
+#include <gtest/gtest.h>
+
+#include <atomic>
+#include <thread>
+
+#ifdef CGAL_LINKED_WITH_TBB
+#include <tbb/global_control.h>
+#endif
+
+namespace {
+
+namespace AP = CGAL::Area_projection;
+using AP::Averaged_normals;
+using AP::Mean_curvature_flow;
+using AP::Point_3;
+using AP::Side;
+using AP::Smoothing_scale_space;
+using AP::Surfels;
+using AP::Triangle_surface;
+using AP::Vector_3;
+using AP::internal::Heat_flow;
+using shapes::pi;
+using shapes::Soup;
+using shapes::surface_of;
+
+// ---------------------------------------------------------------- the flow of heat
+
+Heat_flow ring(std::size_t cells, double area)
+{
+  Heat_flow::Links links(cells);
+  for(std::size_t i = 0; i < cells; ++i)
+    links.add(i, (i + 1) % cells, 1);
+  return Heat_flow(std::vector<double>(cells, area), std::move(links));
+}
+
+TEST(Heat_flow, damps_waves_as_the_implicit_step_does)
+{
+  constexpr std::size_t cells = 60;
+  const Heat_flow flow = ring(cells, 0.5);
+  Heat_flow::Vectors waves(cells, 3);
+  for(std::size_t i = 0; i < cells; ++i)
+    for(int k = 0; k < 3; ++k)
+      waves(Eigen::Index(i), k) = 1000 + std::cos(2 * pi * double((k + 1) * i) / cells);
+  const Heat_flow::Vectors result = flow.diffused(waves, 7, 1e-6);
+  for(int k = 0; k < 3; ++k) {
+    // The eigenvalues of a ring are 2 - 2 cos(2 pi k / n), and 0 for the constant.
+    const double eigenvalue = (2 - 2 * std::cos(2 * pi * (k + 1) / double(cells))) / 0.5;
+    EXPECT_NEAR(result(0, k), 1000 + 1 / (1 + 7 * eigenvalue), 1e-5);
+    EXPECT_NEAR(result.col(k).mean(), 1000, 1e-6);
+  }
+}
+
+TEST(Heat_flow, fills_cells_without_area_from_their_neighbours_and_leaves_lone_ones)
+{
+  Heat_flow::Links links(4);
+  links.add(0, 1, 1);
+  links.add(1, 2, 1);
+  const Heat_flow flow({1, 0, 1, 0}, std::move(links));
+  Heat_flow::Vectors values(4, 3);
+  values << 0, 1, 2, 9, 9, 9, 2, 1, 0, 5, 5, 5;
+  const Heat_flow::Vectors result = flow.diffused(values, 1e-3, 1e-9);
+  for(int k = 0; k < 3; ++k) {
+    EXPECT_NEAR(result(1, k), 1, 1e-6);
+    EXPECT_NEAR(result(3, k), 5, 1e-6);
+  }
+}
+
+/// how long the normals of a unit sphere are after some time.
+template <class Source>
+double length_of_normals(const Source& sphere, double time)
+{
+  const Heat_flow flow = AP::internal::flow_between_elements(sphere);
+  Heat_flow::Vectors normals(Eigen::Index(sphere.size()), 3);
+  for(std::size_t i = 0; i < sphere.size(); ++i)
+    AP::internal::set_row(normals, i, sphere.normals[i]);
+  const Heat_flow::Vectors result = flow.diffused(normals, time, 1e-5);
+  return std::sqrt(result.rowwise().squaredNorm().mean());
+}
+
+// The normals of a unit sphere are eigenfunctions of its Laplacian, of the eigenvalue 2: an implicit step
+// of the time t divides them by 1 + 2 t.
+TEST(Averaged_normals, spread_as_far_as_time_tells)
+{
+  for(const double time : {0.02, 0.1, 0.5})
+    EXPECT_NEAR(length_of_normals(surface_of(shapes::icosphere(4)), time), 1 / (1 + 2 * time),
+                0.01 / (1 + 2 * time));
+}
+
+TEST(Averaged_normals, spread_as_far_where_half_of_the_faces_are_missing)
+{
+  Soup sphere = shapes::icosphere(5);
+  shapes::Random(1).shuffle(sphere.triangles);
+  sphere.triangles.resize(sphere.triangles.size() / 2);
+  // Links at the rims stand for single faces; where several are missing they are too strong or too
+  // weak. Nothing but that gap of the model makes the tolerance: a fifth of the decay.
+  const double decay = 1 - 1 / (1 + 2 * 0.1);
+  EXPECT_NEAR(length_of_normals(surface_of(sphere), 0.1), 1 - decay, 0.2 * decay);
+}
+
+Surfels fibonacci_sphere(std::size_t number)
+{
+  Surfels surfels;
+  for(std::size_t i = 0; i < number; ++i) {
+    const double z = 1 - (2 * double(i) + 1) / double(number), phi = double(i) * 2.399963229728653;
+    const Vector_3 v(std::sqrt(1 - z * z) * std::cos(phi), std::sqrt(1 - z * z) * std::sin(phi), z);
+    surfels.push_back(CGAL::ORIGIN + v, v, 4 * pi / double(number), std::uint32_t(i));
+  }
+  return surfels;
+}
+
+TEST(Averaged_normals, spread_as_far_between_points)
+{
+  EXPECT_NEAR(length_of_normals(fibonacci_sphere(5000), 0.1), 1 / 1.2, 0.01);
+}
+
+TEST(Averaged_normals, leave_a_sphere_as_it_is)
+{
+  const Triangle_surface sphere = surface_of(shapes::icosphere(4));
+  const Triangle_surface seen = Averaged_normals(sphere)(1);
+  for(std::size_t t = 0; t < sphere.size(); ++t)
+    EXPECT_GT(seen.normals[t] * sphere.normals[t], std::cos(0.02))
+        << t; // least at the 12 irregular vertices
+  EXPECT_NEAR(seen.total_area(), sphere.total_area(), 1e-4 * sphere.total_area());
+  EXPECT_EQ(seen.sources, sphere.sources);
+}
+
+/// a box of `side` by `side` by `thickness`, in squares of about a tenth of the side.
+Soup plate(double side, double thickness)
+{
+  const Soup faces =
+      shapes::joined(shapes::plane_patch(side, 0.5 * thickness, 10),
+                     shapes::flipped(shapes::plane_patch(side, -0.5 * thickness, 10)));
+  Soup rim;
+  for(int k = 0; k < 4; ++k) {
+    const shapes::Rotation turn{Vector_3(0, 0, 1), 0.5 * pi * k};
+    const Soup strip = shapes::lattice_patch(10, 1, [&](int i, int j) {
+      return turn(Point_3(0.5 * side, side * (i / 10. - 0.5), thickness * (j - 0.5)));
+    });
+    rim = shapes::joined(rim, strip);
+  }
+  return shapes::welded(shapes::joined(faces, rim));
+}
+
+TEST(Averaged_normals, keep_the_sides_of_a_thin_plate_apart)
+{
+  const Triangle_surface thin = surface_of(plate(1, 1e-3));
+  const Triangle_surface seen = Averaged_normals(thin)(0.4); // averages over 0.1
+  for(std::size_t t = 0; t < thin.size(); ++t) {
+    const Point_3 p = CGAL::centroid(thin.corner(t, 0), thin.corner(t, 1), thin.corner(t, 2));
+    if(std::abs(p.x()) < 0.2 && std::abs(p.y()) < 0.2) {
+      // The rim is three deviations away.
+      EXPECT_GT(seen.normals[t] * thin.normals[t], 0.9999) << p;
+    }
+  }
+}
+
+TEST(Averaged_normals, keep_surfaces_that_touch_apart_and_join_soups)
+{
+  // Two sheets that share the positions of their inner points, but name points of their own.
+  const Soup lower = shapes::plane_patch(2, 0, 8);
+  const Soup upper = shapes::moved(shapes::plane_patch(2, 0, 8), [](const Point_3& p) {
+    return std::abs(p.x()) < 0.9 && std::abs(p.y()) < 0.9 ? p : p + Vector_3(0, 0, 1);
+  });
+  const Triangle_surface both = surface_of(shapes::joined(lower, upper));
+  const Triangle_surface seen = Averaged_normals(both)(2);
+  for(std::size_t t = 0; t < lower.triangles.size(); ++t)
+    EXPECT_NEAR(seen.normals[t].z(), 1, 1e-9) << t;
+
+  const Soup mesh = shapes::blob(3, 5);
+  Soup soup;
+  for(const auto& triangle : mesh.triangles)
+    for(std::uint32_t i : triangle) {
+      if(soup.points.size() % 3 == 0)
+        soup.triangles.push_back({std::uint32_t(soup.points.size()),
+                                  std::uint32_t(soup.points.size() + 1),
+                                  std::uint32_t(soup.points.size() + 2)});
+      soup.points.push_back(mesh.points[i]);
+    }
+  const Triangle_surface of_mesh = Averaged_normals(surface_of(mesh))(0.5);
+  const Triangle_surface of_soup = Averaged_normals(surface_of(soup))(0.5);
+  for(std::size_t t = 0; t < of_mesh.size(); ++t)
+    EXPECT_LT((of_mesh.normals[t] - of_soup.normals[t]).squared_length(), 1e-12);
+}
+
+TEST(Averaged_normals, take_the_normals_of_the_user)
+{
+  Triangle_surface patch = surface_of(shapes::plane_patch(1, 0, 6));
+  const Vector_3 tilted(0.6, 0, 0.8);
+  std::fill(patch.normals.begin(), patch.normals.end(), tilted);
+  EXPECT_LT((Averaged_normals(patch)(1).normals[7] - tilted).squared_length(), 1e-12);
+
+  patch.vertex_normals.assign(patch.points.size(), Vector_3(0, 0.6, 0.8));
+  const Triangle_surface seen = Averaged_normals(patch)(1);
+  EXPECT_FALSE(seen.has_interpolated_normals());
+  EXPECT_LT((seen.normals[7] - Vector_3(0, 0.6, 0.8)).squared_length(), 1e-12);
+}
+
+TEST(Averaged_normals, calm_the_noisy_normals_of_points)
+{
+  shapes::Random random(3);
+  Surfels sphere = fibonacci_sphere(4000);
+  const std::vector<Vector_3> radial = sphere.normals;
+  for(Vector_3& n : sphere.normals)
+    n = AP::internal::normalized(n + 0.5 * random.direction());
+  const Surfels seen = Averaged_normals(sphere)(1);
+  double before = 0, after = 0;
+  for(std::size_t i = 0; i < seen.size(); ++i) {
+    before += (sphere.normals[i] - radial[i]).squared_length();
+    after += (seen.normals[i] - radial[i]).squared_length();
+  }
+  // The average is over the area 8 pi t of an implicit step and its double (the sum of the squares of its
+  // weights is 1 / (4 pi t)): about 125 points with t = 1/32, which leave a hundredth of the variance.
+  EXPECT_LT(after, 0.03 * before);
+}
+
+// ---------------------------------------------------------------- mean curvature flow
+
+// The positions of a unit sphere are eigenfunctions, too: a step leaves 1 / (1 + a), a = 2 t, and with what
+// was removed smoothed and added, 1 - (a / (1 + a))^2.
+TEST(Mean_curvature_flow, shrinks_a_sphere_by_the_square_of_a_step)
+{
+  const Triangle_surface sphere = surface_of(shapes::icosphere(4));
+  for(const double ratio : {0.2, 0.5}) {
+    const Triangle_surface seen = Mean_curvature_flow(sphere, ratio)(1);
+    const double a = ratio * ratio, radius = 1 - std::pow(a / (1 + a), 2);
+    for(const Point_3& p : seen.points)
+      EXPECT_NEAR(std::sqrt((p - CGAL::ORIGIN).squared_length()), radius, 0.003);
+    EXPECT_NEAR(seen.total_area() / sphere.total_area(), radius * radius, 0.006);
+  }
+}
+
+TEST(Mean_curvature_flow, leaves_rims_where_they_are)
+{
+  const Soup flat = shapes::plane_patch(1, 0.3, 8);
+  const Triangle_surface patch = surface_of(flat);
+  const Triangle_surface seen = Mean_curvature_flow(patch)(1);
+  for(std::size_t i = 0; i < patch.points.size(); ++i)
+    EXPECT_LT(CGAL::squared_distance(seen.points[i], patch.points[i]), 1e-20);
+
+  const Soup with_hole =
+      shapes::without_faces(shapes::icosphere(4), [](const Point_3& p) { return p.z() > 0.8; });
+  const Triangle_surface open = surface_of(with_hole);
+  const Triangle_surface smooth = Mean_curvature_flow(open)(1);
+  double highest_before = -1, highest_after = -1;
+  for(const auto& triangle : open.triangles)
+    for(std::uint32_t i : triangle) {
+      highest_before = std::max(highest_before, open.points[i].z());
+      highest_after = std::max(highest_after, smooth.points[i].z());
+    }
+  EXPECT_NEAR(highest_after, highest_before, 0.1);
+}
+
+TEST(Mean_curvature_flow, keeps_the_ratio_between_the_areas_of_the_user_and_those_of_the_shape)
+{
+  Triangle_surface sphere = surface_of(shapes::icosphere(3));
+  const Triangle_surface plain = Mean_curvature_flow(sphere)(1);
+  for(double& area : sphere.areas)
+    area *= 3;
+  const Triangle_surface tripled = Mean_curvature_flow(sphere)(1);
+  for(std::size_t t = 0; t < plain.size(); ++t)
+    EXPECT_NEAR(tripled.areas[t], 3 * plain.areas[t], 1e-12);
+}
+
+// ---------------------------------------------------------------- both
+
+/// a unit sphere with bumps and as many dents, half of an ellipsoid each, much smaller than its radius.
+Soup bumpy_sphere()
+{
+  constexpr int bumps = 300;
+  constexpr double height = 0.08, radius = 0.09;
+  const Surfels centres = fibonacci_sphere(bumps);
+  return shapes::moved(shapes::icosphere(5), [&](const Point_3& p) {
+    double offset = 0;
+    for(std::size_t i = 0; i < bumps; ++i) {
+      const double squared = CGAL::squared_distance(p, centres.positions[i]) / (radius * radius);
+      if(squared < 1)
+        offset = (i % 2 == 0 ? height : -height) * std::sqrt(1 - squared);
+    }
+    return CGAL::ORIGIN + (1 + offset) * (p - CGAL::ORIGIN);
+  });
+}
+
+template <class Scale_space>
+double value_at_centre(const Scale_space& surface)
+{
+  return AP::Exact_evaluator(surface, 1, Side::INSIDE)(Point_3(0, 0, 0), 0.5) / (4 * pi);
+}
+
+// Figure 4 of the paper. All of a smooth sphere lands at its centre; the sides of bumps land elsewhere.
+TEST(Smoothing_scale_space, sees_a_bumpy_sphere_as_a_sphere)
+{
+  const Triangle_surface bumpy = surface_of(bumpy_sphere());
+  EXPECT_LT(value_at_centre(AP::Constant_scale_space(bumpy)), 0.7);
+  EXPECT_NEAR(value_at_centre(Smoothing_scale_space(Averaged_normals(bumpy))), 1, 0.1);
+  EXPECT_NEAR(value_at_centre(Smoothing_scale_space(Mean_curvature_flow(bumpy))), 1, 0.1);
+}
+
+template <class Smoother>
+void expect_equivariant(const Triangle_surface& surface)
+{
+  const shapes::Rotation turn{Vector_3(2. / 3, 1. / 3, 2. / 3), 0.7};
+  const double factor = 1e4;
+  Soup moved{surface.points, surface.triangles};
+  moved = shapes::translated(shapes::scaled(shapes::moved(moved, turn), factor),
+                             factor * Vector_3(100, -200, 50));
+  const Triangle_surface here = Smoother(surface)(0.4);
+  const Triangle_surface there = Smoother(surface_of(moved))(0.4 * factor);
+  for(std::size_t t = 0; t < here.size(); ++t) {
+    const Vector_3 expected = turn(CGAL::ORIGIN + here.normals[t]) - CGAL::ORIGIN;
+    // Coordinates two hundred times the shape leave 13 digits, and the solver three.
+    EXPECT_LT((there.normals[t] - expected).squared_length(), 1e-5);
+    EXPECT_NEAR(there.areas[t], factor * factor * here.areas[t],
+                0.01 * factor * factor * here.areas[t]);
+  }
+}
+
+TEST(Smoothing_scale_space, follows_similarities)
+{
+  const Triangle_surface blob = surface_of(shapes::blob(3, 11));
+  expect_equivariant<Averaged_normals<>>(blob);
+  expect_equivariant<Mean_curvature_flow>(blob);
+}
+
+TEST(Smoothing_scale_space, bears_needles_flaps_and_lone_triangles)
+{
+  // A cylinder of strips a thousand times as long as wide, three faces at an edge, and a triangle far away.
+  Soup soup = shapes::cylinder(200, 0.03, 1, false, 1);
+  soup.points.insert(soup.points.end(),
+                     {Point_3(0.1, 0, 0), Point_3(9, 9, 9), Point_3(9, 8, 9), Point_3(8, 9, 9)});
+  const std::uint32_t last = std::uint32_t(soup.points.size()) - 1;
+  soup.triangles.push_back({soup.triangles[0][0], soup.triangles[0][1], last - 3});
+  soup.triangles.push_back({last - 2, last - 1, last});
+  const Triangle_surface surface = surface_of(soup);
+  const auto expect_sound = [&](const Triangle_surface& seen) {
+    ASSERT_EQ(seen.size(), surface.size());
+    for(std::size_t t = 0; t < seen.size(); ++t) {
+      EXPECT_NEAR(seen.normals[t].squared_length(), 1, 1e-9);
+      // Flow may stretch the strips that the flap pulls at.
+      EXPECT_TRUE(seen.areas[t] >= 0 && seen.areas[t] < 10 * surface.areas[t]) << t;
+    }
+  };
+  for(const double radius : {1e-4, 0.03, 1., 100.}) {
+    expect_sound(Averaged_normals(surface)(radius));
+    expect_sound(Mean_curvature_flow(surface)(radius));
+  }
+}
+
+TEST(Smoothing_scale_space, rejects_what_is_out_of_range)
+{
+  const Triangle_surface sphere = surface_of(shapes::icosphere(1));
+  EXPECT_EQ(shapes::complaint([&] { Averaged_normals(sphere, 0); }),
+            "averaging_ratio is 0.000000: must be positive and finite");
+  EXPECT_EQ(shapes::complaint([&] { Mean_curvature_flow(sphere, -1); }),
+            "smoothing_ratio is -1.000000: must be positive and finite");
+  EXPECT_EQ(shapes::complaint([&] { Smoothing_scale_space(Averaged_normals(sphere)).area(0); }),
+            "radius is 0.000000: must be positive and finite");
+  EXPECT_EQ(Smoothing_scale_space(Averaged_normals(Triangle_surface())).area(1), 0);
+}
+
+// ---------------------------------------------------------------- the scale space itself
+
+/// returns its source, and counts how often.
+struct Counting_smoother
+{
+  using Source = Triangle_surface;
+  Triangle_surface surface;
+  std::shared_ptr<std::atomic<int>> calls = std::make_shared<std::atomic<int>>(0);
+
+  const Triangle_surface& source() const { return surface; }
+  Triangle_surface operator()(double radius) const
+  {
+    ++*calls;
+    if(radius > 10)
+      throw std::runtime_error("too large");
+    return surface;
+  }
+};
+
+TEST(Smoothing_scale_space, projects_what_its_smoother_makes)
+{
+  const Triangle_surface blob = surface_of(shapes::blob(3, 4));
+  const auto batches = [](const auto& surface) {
+    AP::Projected_surfels all;
+    surface.project(0.3, Side::INSIDE, 0.1, [&all](const AP::Projected_surfels& batch) {
+      for(std::size_t i = 0; i < batch.size(); ++i)
+        all.push_back(batch.positions[i], batch.areas[i], batch.covariances[i]);
+    });
+    return all;
+  };
+  const AP::Projected_surfels expected = batches(AP::Constant_scale_space(blob));
+  const AP::Projected_surfels found = batches(Smoothing_scale_space(Counting_smoother{blob}));
+  EXPECT_EQ(found.positions, expected.positions);
+  EXPECT_EQ(found.areas, expected.areas);
+}
+
+TEST(Smoothing_scale_space, makes_each_surface_once_and_forgets_the_oldest)
+{
+  const Counting_smoother smoother{surface_of(shapes::icosphere(1))};
+  const Smoothing_scale_space surface(smoother, 2);
+  std::vector<std::thread> threads;
+  for(int i = 0; i < 8; ++i)
+    threads.emplace_back([&surface] { surface.area(1); });
+  for(std::thread& thread : threads)
+    thread.join();
+  EXPECT_EQ(*smoother.calls, 1);
+  const auto in_use = surface.triangles(1);
+  surface.area(2);
+  surface.area(1); // used last: 2 is the one to go
+  surface.area(3);
+  surface.area(1);
+  EXPECT_EQ(*smoother.calls, 3);
+  surface.area(2);
+  surface.area(3);
+  EXPECT_EQ(*smoother.calls, 5);
+  EXPECT_EQ(in_use->size(), smoother.surface.size());
+}
+
+TEST(Smoothing_scale_space, passes_on_what_its_smoother_throws_and_asks_again)
+{
+  const Counting_smoother smoother{surface_of(shapes::icosphere(1))};
+  const Smoothing_scale_space surface(smoother);
+  EXPECT_THROW(surface.area(11), std::runtime_error);
+  EXPECT_THROW(surface.area(11), std::runtime_error);
+  EXPECT_EQ(*smoother.calls, 2);
+  EXPECT_EQ(surface.triangles(1)->size(), smoother.surface.size());
+}
+
+TEST(Smoothing_scale_space, agrees_on_grids_with_its_exact_values)
+{
+  const Smoothing_scale_space surface(Averaged_normals(surface_of(shapes::blob(4, 2))));
+  const AP::Row_spans region =
+      AP::interior(surface.source(), AP::grid_around(surface.bbox(), 0.1)).region;
+  const AP::Scale scale{0.6, 0.3};
+  const auto grid = shapes::areas_on_grid(AP::Grid_projector(region), surface, region, scale);
+  const auto exact =
+      shapes::areas_on_grid(AP::Exact_grid_projector(region), surface, region, scale);
+  EXPECT_LT(shapes::relative_rms(grid, exact), 0.01); // twice the error stated for the default
+}
+
+TEST(Smoothing_scale_space, gives_the_same_bits_for_any_number_of_threads)
+{
+  const auto maps = [](auto tag, int threads) {
+#ifdef CGAL_LINKED_WITH_TBB
+    const tbb::global_control limit(tbb::global_control::max_allowed_parallelism,
+                                    std::size_t(threads));
+#endif
+    AP::Map_session<Smoothing_scale_space<Averaged_normals<>>, decltype(tag)> session(
+        Smoothing_scale_space(Averaged_normals(surface_of(shapes::blob(4, 8))), 1), 0.1);
+    // Two scales among more threads: they share a scale.
+    return session.joint_map(AP::proportional_scales({0.4, 0.7}), Side::INSIDE).values();
+  };
+  const auto expected = maps(CGAL::Sequential_tag(), 1);
+  for(const int threads : {1, 2, 3, 8})
+    EXPECT_EQ(maps(CGAL::Parallel_if_available_tag(), threads), expected) << threads;
+}
+
+} // namespace

@@ -43,6 +43,7 @@ struct Evaluate_options
   std::string side = "inside";
   double sigma_ratio = 0.5;
   double sampling_ratio = AP::default_sampling_ratio;
+  Surface_options surface;
   Common_options common;
 
   bool is_to_stdout() const { return output.empty() || output == "-"; }
@@ -84,6 +85,7 @@ void add_options(CLI::App& app, Evaluate_options& options)
   add_bytes_option(app, "--max-memory", options.common.max_memory,
                    "refuse what needs more memory, such as 500M or 2G")
       ->group("Computation");
+  add_surface_options(app, options.surface);
   add_reading_options(app, options.common);
   add_thread_option(app, options.common);
 }
@@ -132,30 +134,24 @@ std::vector<double> evaluate(const Surface& surface, const std::vector<AP::Query
                              const Evaluate_options& options)
 {
   using Tag = CGAL::Parallel_if_available_tag;
-  using Mesh = Shared_surface<AP::Triangle_surface>;
   const AP::Side side = options.side == "inside" ? AP::Side::INSIDE : AP::Side::OUTSIDE;
   const Thread_limit limit(number_of_threads(options.common.threads));
   if(options.method == "exact")
     return AP::evaluate_at_points<Tag>(queries, [&](const AP::Scale& scale) {
-      return AP::Exact_evaluator(*std::get<Mesh>(surface), scale.radius, side);
+      return AP::Exact_evaluator(surface, scale.radius, side);
     });
   const std::map<double, double> sigmas = smallest_sigmas(queries);
-  check_memory(sigmas, area_of(surface), options);
+  check_memory(sigmas, surface.total_area(), options);
   const auto spacing = [&](const AP::Scale& scale) {
     return options.sampling_ratio * sigmas.at(scale.radius);
   };
-  const auto by_search = [&](const auto& s) {
+  if(options.method == "kd-tree")
     return AP::evaluate_at_points<Tag>(queries, [&](const AP::Scale& scale) {
-      return AP::Kd_tree_evaluator(*s, scale.radius, side, spacing(scale));
+      return AP::Kd_tree_evaluator(surface, scale.radius, side, spacing(scale));
     });
-  };
-  const auto by_sums = [&](const auto& s) {
-    return AP::evaluate_at_points<Tag>(queries, [&](const AP::Scale& scale) {
-      return AP::Sampled_evaluator(*s, scale.radius, side, spacing(scale), Tag());
-    });
-  };
-  return options.method == "kd-tree" ? std::visit(by_search, surface)
-                                     : std::visit(by_sums, surface);
+  return AP::evaluate_at_points<Tag>(queries, [&](const AP::Scale& scale) {
+    return AP::Sampled_evaluator(surface, scale.radius, side, spacing(scale), Tag());
+  });
 }
 
 /// \throw Usage_error if the output would replace an input, Output_error if it cannot be written.
@@ -223,6 +219,9 @@ bool read_options(const std::vector<std::string>& arguments, Console& console,
   add_console_options(app, console);
   if(!parse(app, arguments))
     return false;
+  check(options.surface);
+  if(options.method == "exact" && options.surface.normals == "interpolated")
+    throw Usage_error("--method exact needs flat faces: leave --normals interpolated out");
   if(console.is_json && options.output == "-")
     throw Usage_error("--json and --output - both want standard output: leave one out (without "
                       "--output the object holds the results)");
@@ -233,13 +232,15 @@ void report_parameters(const Evaluate_options& options, const std::vector<AP::Qu
                        Console& console)
 {
   console.report["parameters"] = {{"method", options.method},
+                                  {"normals", options.surface.normals},
                                   {"side", options.side},
                                   {"sigma_ratio", options.sigma_ratio},
                                   {"sampling_ratio", options.sampling_ratio},
                                   {"threads", number_of_threads(options.common.threads)}};
   console.report["queries"] = {{"file", options.queries}, {"points", queries.size()}};
   console.row("points", options.queries + ": " + counted(queries.size(), "row", "rows"));
-  console.row("method", options.method + ", " + options.side);
+  console.row("method",
+              options.method + ", " + options.side + ", " + options.surface.normals + " normals");
   if(queries.empty())
     console.warn(options.queries + ": nothing to evaluate: the table has no rows");
 }
@@ -265,11 +266,13 @@ bool run_evaluate(const std::vector<std::string>& arguments, Console& console)
   if(input.is_point_set && options.method == "exact")
     throw Usage_error("--method exact: " + options.mesh +
                       " has points only, and exact areas need faces; use samples");
+  const bool has_flat_triangles = !input.is_point_set && options.surface.normals != "interpolated";
   if(options.method.empty())
-    options.method = input.is_point_set ? "samples" : "exact";
+    options.method = has_flat_triangles ? "exact" : "samples";
   report_parameters(options, queries, console);
 
-  const std::vector<double> areas = evaluate(make_surface(input, false), queries, options);
+  const auto surface = make_surface(input, options.surface, 1);
+  const std::vector<double> areas = evaluate(*surface, queries, options);
   write_results(queries, areas, options, console);
   console.report["peak_memory_bytes"] = peak_memory();
   if(!options.is_to_stdout())

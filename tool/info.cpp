@@ -59,7 +59,7 @@ void show_forecast(const Input& input, Console& console)
   options.mesh = input.file;
   options.sampling_ratio = AP::Grid_projector::default_sampling_ratio;
   options.common.max_memory = std::numeric_limits<double>::infinity();
-  const Transform_plan plan = make_plan(input, make_surface(input, false), options);
+  const Transform_plan plan = make_plan(input, *make_surface(input, options.surface, 1), options);
   const auto& size = plan.region->grid().size();
   Json radii = Json::array();
   for(const AP::Scale& scale : plan.scales)

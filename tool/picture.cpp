@@ -119,8 +119,8 @@ void add_silhouette(const Surface& surface, const AP::Grid_3& grid, std::vector<
         panel.cover(voxel);
     }
   };
-  std::visit([&](const auto& s) { s->source().for_each_batch(0.5 * grid.spacing(), cover); },
-             surface);
+  std::visit([&](const auto* source) { source->for_each_batch(0.5 * grid.spacing(), cover); },
+             surface.source());
 }
 
 void draw_colour_bar(Canvas& canvas, int x, int y, int height, double largest)

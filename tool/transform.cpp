@@ -14,6 +14,7 @@
 #include "picture.h"
 #include "progress.h"
 #include "text.h"
+#include "threads.h"
 #include "transform_output.h"
 
 #include <algorithm>
@@ -71,7 +72,10 @@ void report_parameters(const Transform_plan& plan, const Transform_options& opti
   json["voxel"] = plan.voxel;
   json["side"] = options.side;
   json["region"] = plan.region_name;
-  json["normals"] = options.normals;
+  json["normals"] = options.surface.normals;
+  if(options.surface.smoothing_ratio)
+    json["smoothing_ratio"] = *options.surface.smoothing_ratio;
+  json["is_compensated"] = options.is_compensated;
   json["method"] = options.method;
   json["kernel"] = options.kernel;
   json["sampling_ratio"] = options.sampling_ratio;
@@ -101,14 +105,15 @@ void report_plan(const Transform_plan& plan, const Transform_options& options, C
   console.row("region", plan.region_name + ": " +
                             counted(plan.region->number_of_voxels(), "voxel", "voxels"));
   if(plan.coverage && *plan.coverage < 0.9995 && *plan.coverage > 0)
-    console.row("coverage",
-                to_text(100 * *plan.coverage, 3) + " % of the surface is there, seen from inside");
+    console.row("coverage", to_text(100 * *plan.coverage, 3) +
+                                " % of the surface is there, seen from inside" +
+                                (options.is_compensated ? ": values are divided by it" : ""));
   console.row("radii", list_to_text(radii_of(plan)));
   console.row("sigma", options.scales.sigma
                            ? to_text(*options.scales.sigma)
                            : to_text(options.scales.sigma_ratio) +
                                  " of the radius: " + list_to_text(sigmas_of(plan)));
-  console.row("side", options.side + ", " + options.normals + " normals");
+  console.row("side", options.side + ", " + options.surface.normals + " normals");
   console.row("method", options.method + ", " + options.kernel + ", " +
                             counted(plan.threads, "thread", "threads"));
   console.row("forecast", bytes_to_text(plan.forecast.bytes) + ", " +
@@ -230,18 +235,19 @@ bool run_transform(const std::vector<std::string>& arguments, Console& console)
   const double reading = watch.seconds();
 
   const Signal_watch signals;
-  const Surface surface = make_surface(input, options.normals == "interpolated");
-  const Transform_plan plan = make_plan(input, surface, options);
+  const auto surface =
+      make_surface(input, options.surface, number_of_threads(options.common.threads));
+  const Transform_plan plan = make_plan(input, *surface, options);
   report_plan(plan, options, console);
   warn_of_plan(plan, options, console);
   const std::vector<Side_maps> maps = compute_maps(surface, plan, options, console);
   const double computing = watch.seconds();
   Signal_watch::check();
-  write_files(maps, surface, plan, options, console);
+  write_files(maps, *surface, plan, options, console);
   const double writing = watch.seconds();
 
   report_end(reading, computing, writing, console);
-  report_area_outside(maps, area_of(surface), console);
+  report_area_outside(maps, surface->total_area(), console);
   for(const std::string file : console.report["outputs"])
     console.row("written", file);
   if(console.report["outputs"].empty())

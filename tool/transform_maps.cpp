@@ -16,7 +16,6 @@
 #include <CGAL/Area_projection_transform/projection/Paper_grid_projector.h>
 
 #include <functional>
-#include <type_traits>
 
 namespace mapt {
 
@@ -43,14 +42,13 @@ struct Scale_teller : AP::Multiscale_default_visitor
 };
 
 // Calls `function(make_projector)` with what makes projectors by the method that was asked for.
-template <class Source, class Function>
+template <class Function>
 void with_method(const Transform_options& options, Function&& function)
 {
   const auto balls = nested_balls(options.kernel);
-  if constexpr(std::is_same_v<Source, AP::Triangle_surface>)
-    if(options.method == "exact")
-      return function(
-          [balls](const AP::Row_spans& part) { return AP::Exact_grid_projector(part, balls); });
+  if(options.method == "exact")
+    return function(
+        [balls](const AP::Row_spans& part) { return AP::Exact_grid_projector(part, balls); });
   if(options.method == "paper")
     return function(
         [balls](const AP::Row_spans& part) { return AP::Paper_grid_projector(part, balls); });
@@ -61,7 +59,9 @@ template <class Session>
 Side_maps compute_side(Session& session, AP::Side side, const Transform_plan& plan,
                        const Transform_options& options, const Console& console)
 {
-  Side_maps maps{side, AP::Joint_map(plan.region, plan.scales), std::nullopt, {}};
+  Side_maps maps{side, AP::Joint_map(plan.region, plan.scales), std::nullopt, {}, 1};
+  if(options.is_compensated && *plan.coverage > 0)
+    maps.factor = float(1 / *plan.coverage);
   if(options.kind != "jmapt")
     maps.of_scales.emplace(*plan.region, plan.scales.size());
   Progress_line line(console, side == AP::Side::INSIDE ? "inside" : "outside");
@@ -81,24 +81,20 @@ Side_maps compute_side(Session& session, AP::Side side, const Transform_plan& pl
 
 } // namespace
 
-std::vector<Side_maps> compute_maps(const Surface& surface, const Transform_plan& plan,
-                                    const Transform_options& options, const Console& console)
+std::vector<Side_maps> compute_maps(const std::shared_ptr<const Surface>& surface,
+                                    const Transform_plan& plan, const Transform_options& options,
+                                    const Console& console)
 {
   const Thread_limit limit(plan.threads);
   std::vector<Side_maps> result;
-  const auto compute = [&](const auto& scale_space) {
-    using Scale_space = std::decay_t<decltype(*scale_space)>;
-    using Source = std::decay_t<decltype(scale_space->source())>;
-    with_method<Source>(options, [&](auto make_projector) {
-      AP::Map_session<Scale_space, CGAL::Parallel_if_available_tag, decltype(make_projector)>
-          session(scale_space, plan.voxel, 0, make_projector);
-      for(const AP::Side side : plan.sides) {
-        session.set_region(side, plan.region);
-        result.push_back(compute_side(session, side, plan, options, console));
-      }
-    });
-  };
-  std::visit(compute, surface);
+  with_method(options, [&](auto make_projector) {
+    AP::Map_session<Surface, CGAL::Parallel_if_available_tag, decltype(make_projector)> session(
+        surface, plan.voxel, 0, make_projector);
+    for(const AP::Side side : plan.sides) {
+      session.set_region(side, plan.region);
+      result.push_back(compute_side(session, side, plan, options, console));
+    }
+  });
   return result;
 }
 

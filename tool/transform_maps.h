@@ -23,10 +23,18 @@ struct Side_maps
   AP::Joint_map joint;
   std::optional<AP::Scale_maps_sink> of_scales; // if asked for
   std::vector<double> areas_outside;            // of the grid, for each scale
+  float factor = 1;                             // of all values
 
   void consume(std::size_t index, const AP::Scale& scale, std::size_t first_voxel,
                const float* values, std::size_t number)
   {
+    std::vector<float> multiplied; // calls may be concurrent
+    if(factor != 1) {
+      multiplied.assign(values, values + number);
+      for(float& value : multiplied)
+        value *= factor;
+      values = multiplied.data();
+    }
     joint.consume(index, scale, first_voxel, values, number);
     if(of_scales)
       of_scales->consume(index, scale, first_voxel, values, number);
@@ -35,8 +43,9 @@ struct Side_maps
 
 /// computes the maps of the sides of the plan.
 /// \throw Interruption if a signal came.
-std::vector<Side_maps> compute_maps(const Surface& surface, const Transform_plan& plan,
-                                    const Transform_options& options, const Console& console);
+std::vector<Side_maps> compute_maps(const std::shared_ptr<const Surface>& surface,
+                                    const Transform_plan& plan, const Transform_options& options,
+                                    const Console& console);
 
 } // namespace mapt
 

@@ -78,10 +78,7 @@ void add_computation(CLI::App& app, Transform_options& options)
              "the side of the surface to project to: inside, outside, or both, with a map for each")
       ->capture_default_str()
       ->group("Mesh");
-  add_choice(app, "--normals", options.normals, {"face", "interpolated"},
-             "face: constant on each face; interpolated: between those of the vertices")
-      ->capture_default_str()
-      ->group("Mesh");
+  add_surface_options(app, options.surface);
   add_reading_options(app, options.common);
   add_choice(app, "--method", options.method, {"grid", "exact", "paper"},
              "grid: samples of the surface; exact: whole triangles, slower; paper: rounded to "
@@ -93,6 +90,10 @@ void add_computation(CLI::App& app, Transform_options& options)
       "how surface counts within the collecting ball: ball (fully), epanechnikov or gaussian "
       "(less towards the rim)")
       ->capture_default_str()
+      ->group("Computation");
+  app.add_flag("--compensate", options.is_compensated,
+               "divide by the part of the surface that is there, as seen from inside, so that "
+               "missing faces do not weaken the map")
       ->group("Computation");
   options.sampling_ratio = CGAL::Area_projection::Grid_projector::default_sampling_ratio;
   app.add_option(
@@ -115,7 +116,8 @@ void check(const Transform_options& options)
     check_extension("--output", options.output, {".vti", ".nrrd"});
   if(!options.picture.empty())
     check_extension("--picture", options.picture, {".png"});
-  if(options.method == "exact" && options.normals == "interpolated")
+  check(options.surface);
+  if(options.method == "exact" && options.surface.normals == "interpolated")
     throw Usage_error("--method exact needs flat faces: leave --normals interpolated out");
 }
 

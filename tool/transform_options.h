@@ -9,6 +9,7 @@
 
 #include "command_line.h"
 #include "scale_options.h"
+#include "surface.h"
 
 #include <optional>
 #include <string>
@@ -23,10 +24,11 @@ struct Transform_options
   std::string output;  // empty: no map is written
   std::string picture; // empty: none
   bool is_compressed = true;
+  bool is_compensated = false; // divided by the coverage
   std::string kind = "jmapt";
   std::string side = "inside";
   std::string region; // empty: depends on the side
-  std::string normals = "face";
+  Surface_options surface;
   std::string method = "grid";
   std::string kernel = "ball";
   double sampling_ratio;

@@ -86,9 +86,6 @@ void check_for_points(const Input& input, const Transform_options& options)
   if(options.method == "exact")
     throw Usage_error("--method exact: " + options.mesh +
                       " has points only, and exact areas need faces; use grid");
-  if(options.normals == "interpolated")
-    throw Usage_error("--normals interpolated: " + options.mesh +
-                      " has points only, with normals of their own; leave it out");
 }
 
 AP::Row_spans find_region(const AP::Grid_3& grid, const Surface& surface, double reach,
@@ -96,29 +93,29 @@ AP::Row_spans find_region(const AP::Grid_3& grid, const Surface& surface, double
 {
   using Tag = CGAL::Parallel_if_available_tag;
   if(plan.region_name == "band")
-    return std::visit([&](const auto& s) { return AP::band<Tag>(s->source(), grid, reach); },
-                      surface);
+    return std::visit([&](const auto* source) { return AP::band<Tag>(*source, grid, reach); },
+                      surface.source());
   if(plan.region_name == "all")
     return AP::Row_spans(grid);
-  using Mesh = Shared_surface<AP::Triangle_surface>;
-  AP::Interior interior = AP::interior<Tag>(std::get<Mesh>(surface)->source(), grid);
+  AP::Interior interior =
+      AP::interior<Tag>(*std::get<const AP::Triangle_surface*>(surface.source()), grid);
   plan.coverage = interior.coverage;
   return std::move(interior.region);
 }
 
 // Counts, beside the joint map of one side, the map of the other and those of the radii; and the
 // whole grid that the algorithm of the paper works on.
-AP::Forecast forecast(const Frame& frame, const Transform_plan& plan, const Input& input,
-                      double area, const Transform_options& options)
+AP::Forecast forecast(const Frame& frame, const Transform_plan& plan, const Surface& surface,
+                      const Transform_options& options)
 {
   const double sides = double(plan.sides.size());
   const double maps = options.kind == "jmapt" ? 0 : double(plan.scales.size());
   const double joint_map = 5. / 4.; // in maps of floats
   const double stored = double(plan.region->storage_size());
-  AP::Forecast result = AP::forecast_joint_map(
-      stored, frame.rows(), double(std::max(input.triangles.size(), input.points.size())), area,
-      plan.voxel, plan.scales, options.sampling_ratio, double(plan.threads),
-      sides * maps + (sides - 1) * joint_map);
+  AP::Forecast result =
+      AP::forecast_joint_map(stored, frame.rows(), double(surface.number_of_elements()),
+                             surface.total_area(), plan.voxel, plan.scales, options.sampling_ratio,
+                             double(plan.threads), sides * maps + (sides - 1) * joint_map);
   if(options.method == "paper") {
     result.bytes -= 4 * stored * double(std::min(plan.threads, plan.scales.size()));
     for(std::size_t t = 0; t < plan.threads; ++t) {
@@ -127,6 +124,8 @@ AP::Forecast forecast(const Frame& frame, const Transform_plan& plan, const Inpu
     }
   }
   result.writes *= sides;
+  result.bytes +=
+      bytes_per_element(options.surface, plan.threads) * double(surface.number_of_elements());
   return result;
 }
 
@@ -151,7 +150,7 @@ Transform_plan make_plan(const Input& input, const Surface& surface,
   const double margin = options.margin.value_or(options.side == "inside" ? 0. : largest);
   const Frame frame(box, plan.voxel, margin);
   plan.threads = number_of_threads(options.common.threads);
-  const double area = area_of(surface);
+  const double area = surface.total_area();
   check_memory(frame, bytes_of_region(frame, plan, input, area, plan.threads), options);
   if(plan.region_name == "all")
     check_memory(frame, 9 * frame.voxels(), options);
@@ -163,9 +162,13 @@ Transform_plan make_plan(const Input& input, const Surface& surface,
   plan.region = std::make_shared<const AP::Row_spans>(
       find_region(AP::grid_around(box, plan.voxel, margin), surface, reach, plan));
 
+  if(options.is_compensated && !plan.coverage)
+    throw Usage_error("--compensate needs --region interior: only from inside is it known how much "
+                      "of the surface is there");
+
   // Fewer threads hold fewer maps: better slow than not at all.
   do
-    plan.forecast = forecast(frame, plan, input, area, options);
+    plan.forecast = forecast(frame, plan, surface, options);
   while(plan.forecast.bytes > options.common.max_memory && plan.threads-- > 1);
   check_memory(frame, plan.forecast.bytes, options);
   return plan;

@@ -172,8 +172,10 @@ class Usage(Test):
                  ["-R", 0.3, "--voxel", 0.5]),
                 (["--margin", "-1"], ["--margin", -1]),
                 (["--side", "up", "inside"], ["--side", "up"]),
-                (["--normals", "averaged"], ["--normals", "averaged"]),
-                (["--normals", "smoothed"], ["--normals", "smoothed"]),
+                (["--normals", "vertex"], ["--normals", "vertex"]),
+                (["--smoothing-ratio", "face"], ["--smoothing-ratio", 0.2]),
+                (["--smoothing-ratio", "0"], ["--normals", "averaged", "--smoothing-ratio", 0]),
+                (["--compensate", "interior"], ["--compensate", "--region", "all"]),
                 (["--method exact", "interpolated"],
                  ["--method", "exact", "--normals", "interpolated"]),
                 (["--kernel", "cube"], ["--kernel", "cube"]),
@@ -595,12 +597,64 @@ class Inputs(Test):
         self.assertEqual(report["parameters"]["region"], "all")
         self.assertLess(math.dist([report["maxima"][0][a] for a in "xyz"], (0, 0, 0)), 0.11)
         for option, value in (("--method", "exact"), ("--normals", "interpolated"),
-                              ("--region", "interior")):
+                              ("--normals", "smoothed"), ("--region", "interior")):
             self.fail_with(WRONG_USAGE, [option, "points.xyz"], "transform", points, option, value)
         # without areas they come from the density
         text = "".join(" ".join(map(repr, (*p, *unit(p)))) + "\n" for p in self.points)
         apt = self.report("evaluate", self.write("plain.xyz", text), "--at", table)["results"][0]["apt"]
         self.assertAlmostEqual(apt, 4 * math.pi, delta=1.5)
+
+
+class Smoothing(Test):
+    """Normals that suit the radius."""
+
+    def setUp(self):
+        super().setUp()
+        # Dents and bumps of a twelfth of the radius, on every other vertex or so.
+        self.points, self.faces = icosphere(4)
+        bumpy = [tuple(x * (1.04 if i % 2 else 0.96) for x in p) for i, p in enumerate(self.points)]
+        self.bumpy = self.write("bumpy.off", off(bumpy, self.faces))
+
+    def best(self, mesh, *options):
+        return self.report("transform", mesh, "-R", 1, "--voxel", 0.1, *options)["maxima"][0]["value"]
+
+    def test_bumps_do_not_scatter(self):
+        self.assertLess(self.best(self.bumpy), 0.6)
+        for normals in ("averaged", "smoothed"):
+            self.assertAlmostEqual(self.best(self.bumpy, "--normals", normals), 1, delta=0.1)
+            self.assertAlmostEqual(self.best(self.bumpy, "--normals", normals, "--method", "exact"), 1,
+                                   delta=0.1)
+        # The less is averaged, the more is scattered.
+        self.assertLess(self.best(self.bumpy, "--normals", "averaged", "--smoothing-ratio", 0.01), 0.7)
+
+    def test_points_and_queries(self):
+        table = self.write("at.csv", "x,y,z,radius\n0,0,0,1\n")
+        report = self.report("evaluate", self.bumpy, "--at", table, "--normals", "averaged")
+        self.assertEqual(report["parameters"]["normals"], "averaged")
+        self.assertAlmostEqual(report["results"][0]["mapt"], 1, delta=0.1)
+        lines, cosines = [], []
+        for i, p in enumerate(self.points):
+            tilt = (0.5 * math.cos(i), 0.5 * math.sin(i), 0.5 * math.cos(2 * i))
+            normal = unit([a + b for a, b in zip(p, tilt)])
+            cosines.append(sum(a * b for a, b in zip(p, normal)))
+            lines.append(" ".join(map(repr, (*p, *normal))))
+        points = self.write("points.xyz", "\n".join(lines) + "\n")
+        scattered, calm = (self.report("evaluate", points, "--at", table, "--normals",
+                                       normals)["results"][0]["mapt"] for normals in ("face", "averaged"))
+        self.assertLess(scattered, 0.8)
+        # Each point votes with the cosine between its normal and the averaged one, which is radial.
+        self.assertAlmostEqual(calm, sum(cosines) / len(cosines), delta=0.05)
+
+    def test_missing_faces_are_compensated(self):
+        half = self.write("half.off", off(self.points, self.faces[::2]))
+        plain = self.report("transform", half, "-R", 1, "--voxel", 0.1)
+        compensated = self.report("transform", half, "-R", 1, "--voxel", 0.1, "--compensate")
+        self.assertAlmostEqual(compensated["maxima"][0]["value"],
+                               plain["maxima"][0]["value"] / plain["coverage"], places=5)
+        # A voxel is inside if three of six rays meet a face, of which there is a half: (3·20 + 4·15 +
+        # 5·6 + 6·1) / 42 / 6 of them do in the mean.
+        self.assertAlmostEqual(plain["coverage"], 156 / 42 / 6, delta=0.06)
+        self.assertEqual(self.best(self.sphere, "--compensate"), self.best(self.sphere))
 
 
 class Info(Test):

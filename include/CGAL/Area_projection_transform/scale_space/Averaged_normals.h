@@ -109,7 +109,7 @@ public:
   {
     internal::check_positive(radius, "radius");
     const double deviation = m_averaging_ratio * radius;
-    constexpr double largest_error = 1e-3; // of unit vectors: a twentieth of a degree
+    constexpr double largest_error = 2e-3; // of unit vectors: a tenth of a degree
     const auto averages = m_flow.diffused(m_normals, 0.5 * deviation * deviation, largest_error);
     Source surface = m_source;
     internal::drop_interpolated_normals(surface);

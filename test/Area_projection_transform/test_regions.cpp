@@ -268,6 +268,36 @@ TEST(Interior, of_a_sphere_with_a_hole_is_nearly_the_ball)
 
 // Votes and winding numbers agree where both apply: a soup whose faces name their own points each is not
 // known to be closed.
+// With half of the faces missing, a voxel gets three votes of six in the mean, more or less by more than
+// one; its 27 neighbours and their 54 lines along each axis tell better.
+TEST(Interior, is_found_where_half_of_the_faces_are_missing)
+{
+  Soup sphere = shapes::icosphere(4);
+  shapes::Random(7).shuffle(sphere.triangles);
+  sphere.triangles.resize(sphere.triangles.size() / 2);
+  const AP::Triangle_surface surface = shapes::surface_of(sphere);
+  const AP::Grid_3 grid = AP::grid_around(surface.bbox(), 0.05, 0.2);
+  const AP::Interior inside = AP::interior(surface, grid);
+  std::size_t wrong = 0, right = 0;
+  for(int k = 0; k < grid.size()[2]; ++k)
+    for(int j = 0; j < grid.size()[1]; ++j)
+      for(int i = 0; i < grid.size()[0]; ++i) {
+        const double distance = std::sqrt((grid.point(i, j, k) - CGAL::ORIGIN).squared_length());
+        if(std::abs(distance - 1) > 0.1) // two voxels: the size of a neighbourhood
+          ++(inside.region.contains(i, j, k) == (distance < 1) ? right : wrong);
+      }
+  EXPECT_LT(wrong, 0.01 * double(right));
+  EXPECT_NEAR(inside.coverage, 0.5, 0.02);
+  EXPECT_NEAR(inside.volume, 4. / 3 * pi, 4 * pi * 0.5 * grid.spacing()); // half a voxel all around
+}
+
+TEST(Interior, knows_what_is_observed_from_votes_that_are_a_majority)
+{
+  EXPECT_NEAR(AP::internal::observed_fraction(1), 1, 1e-9);
+  // (3 * 20 + 4 * 15 + 5 * 6 + 6) / (20 + 15 + 6 + 1) / 6: all patterns of six are equally likely.
+  EXPECT_NEAR(AP::internal::observed_fraction(156. / 42 / 6), 0.5, 1e-9);
+}
+
 TEST(Interior, of_a_soup_is_that_of_the_closed_mesh)
 {
   for(const Soup& soup :

@@ -7,7 +7,6 @@
 #ifndef CGAL_AREA_PROJECTION_TRANSFORM_INTERNAL_INTERIOR_VOTES_H
 #define CGAL_AREA_PROJECTION_TRANSFORM_INTERNAL_INTERIOR_VOTES_H
 
-#include <CGAL/Area_projection_transform/internal/region_by_slabs.h>
 #include <CGAL/Area_projection_transform/internal/signed_crossings.h>
 
 #include <algorithm>
@@ -50,8 +49,6 @@ void vote_along_line(const Signed_crossings& crossings, std::size_t line, std::i
 class Interior_votes
 {
 public:
-  static constexpr int majority = 3;
-
   template <class ConcurrencyTag>
   Interior_votes(ConcurrencyTag tag, const Triangle_surface& surface, const Grid_3& grid)
       : m_grid(grid)
@@ -59,18 +56,18 @@ public:
                 Signed_crossings(tag, surface, grid, 2)}
   {}
 
-  /// appends the runs of voxels with a majority of votes to the rows of a slab, and returns the sum of
-  /// their votes.
-  std::size_t find_rows(Slab& slab) const
+  /// calls `row(j, k, votes)` for each row of the layers from `first_layer` to `last_layer`, in order; `votes`
+  /// is a vector of numbers from 0 to 6.
+  template <class Row>
+  void for_each_row(int first_layer, int last_layer, Row&& row) const
   {
     const std::size_t nx = size(0), ny = size(1);
-    const std::vector<std::int8_t> changes_along_z = changes_between_layers(slab);
+    const std::vector<std::int8_t> changes_along_z =
+        changes_between_layers(first_layer, last_layer);
     std::vector<std::int8_t> changes_along_y((ny + 1) * nx), along_z(ny * nx, 0), along_y(nx),
         votes(nx);
-    std::vector<Row_spans::Run> runs;
-    std::size_t sum_of_votes = 0;
-    for(int k = slab.first_layer(); k < slab.last_layer(); ++k) {
-      add(changes_along_z.data() + std::size_t(k - slab.first_layer()) * nx * ny, along_z);
+    for(int k = first_layer; k < last_layer; ++k) {
+      add(changes_along_z.data() + std::size_t(k - first_layer) * nx * ny, along_z);
       find_changes_within_layer(k, changes_along_y);
       std::fill(along_y.begin(), along_y.end(), std::int8_t(0));
       for(std::size_t j = 0; j < ny; ++j) {
@@ -78,12 +75,9 @@ public:
         std::copy_n(along_z.data() + j * nx, nx, votes.data());
         add(along_y.data(), votes);
         add_votes_along_x(j + ny * std::size_t(k), votes);
-        runs.clear();
-        sum_of_votes += append_majorities(votes, runs);
-        slab.append_row(runs);
+        row(int(j), k, votes);
       }
     }
-    return sum_of_votes;
   }
 
 private:
@@ -96,10 +90,9 @@ private:
   }
 
   /// how the votes along z change from each layer to the next; the first has what is there already.
-  std::vector<std::int8_t> changes_between_layers(const Slab& slab) const
+  std::vector<std::int8_t> changes_between_layers(int first_layer, int last_layer) const
   {
     const std::size_t lines = size(0) * size(1);
-    const int first_layer = slab.first_layer(), last_layer = slab.last_layer();
     std::vector<std::int8_t> changes(lines * std::size_t(last_layer - first_layer), 0);
     const auto change = [&](int layer, std::size_t line) -> std::int8_t& {
       return changes[lines * std::size_t(layer - first_layer) + line];
@@ -133,28 +126,6 @@ private:
       for(int i = first; i < last; ++i)
         votes[std::size_t(i)] = std::int8_t(votes[std::size_t(i)] + number);
     });
-  }
-
-  static std::size_t append_majorities(const std::vector<std::int8_t>& votes,
-                                       std::vector<Row_spans::Run>& runs)
-  {
-    // Most rows have none, which is quickly seen.
-    std::int8_t most = 0;
-    for(const std::int8_t number : votes)
-      most = std::max(most, number);
-    if(most < majority)
-      return 0;
-    std::size_t sum = 0;
-    const std::int32_t number_of_votes = std::int32_t(votes.size());
-    for(std::int32_t i = 0; i < number_of_votes; ++i) {
-      if(votes[std::size_t(i)] < majority)
-        continue;
-      const std::int32_t first = i;
-      for(; i < number_of_votes && votes[std::size_t(i)] >= majority; ++i)
-        sum += std::size_t(votes[std::size_t(i)]);
-      runs.push_back({first, i});
-    }
-    return sum;
   }
 
   const Grid_3& m_grid;

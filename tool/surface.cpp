@@ -164,8 +164,9 @@ std::shared_ptr<const Surface> make_surface(const Input& input, const Surface_op
 
 double bytes_per_element(const Surface_options& options, std::size_t threads)
 {
-  constexpr double bytes_of_smoother = 400, bytes_of_surface_at_radius = 500;
-  return options.is_smoothing() ? bytes_of_smoother + bytes_of_surface_at_radius * double(threads)
+  // Beside the surface at each radius and what it takes to find it, less what is free again by then.
+  constexpr double bytes_of_radius = 650, bytes_free = 150;
+  return options.is_smoothing() ? bytes_of_radius * double(threads) - bytes_free
                                 : 0; // the tree itself is part of every forecast
 }
 

@@ -9,14 +9,13 @@
 #include "errors.h"
 #include "text.h"
 
+#include <CGAL/Area_projection_transform/areas_from_density.h>
 #include <CGAL/Area_projection_transform/scale_space/Averaged_normals.h>
 #include <CGAL/Area_projection_transform/scale_space/Constant_scale_space.h>
 #include <CGAL/Area_projection_transform/scale_space/Mean_curvature_flow.h>
 #include <CGAL/Area_projection_transform/scale_space/Smoothing_scale_space.h>
 #include <CGAL/Area_projection_transform/surfels_from_mesh.h>
-#include <CGAL/Area_projection_transform/surfels_from_points.h>
 
-#include <algorithm>
 #include <numeric>
 #include <type_traits>
 #include <utility>
@@ -25,29 +24,15 @@ namespace mapt {
 
 namespace {
 
-// The files may leave the areas out: then they come from the density of the points.
-std::vector<double> areas_of_points(const Input& input)
-{
-  if(!input.areas.empty())
-    return input.areas;
-  constexpr std::size_t neighbours = 12;
-  if(input.points.size() < 2)
-    throw Input_error(input.file + ": has one point, without an area: give it one, or give more "
-                                   "points");
-  const std::size_t k = std::min(neighbours, input.points.size() - 1);
-  std::vector<double> areas = AP::areas_from_density(input.points, unsigned(k));
-  if(!(std::accumulate(areas.begin(), areas.end(), 0.) > 0))
-    throw Input_error(input.file + ": its points coincide, so that they have no density: give them "
-                                   "areas, or remove the copies");
-  return areas;
-}
-
 AP::Surfels surfels_of(const Input& input)
 {
   AP::Surfels surfels;
   surfels.positions = input.points;
   surfels.normals = input.normals;
-  surfels.areas = areas_of_points(input);
+  surfels.areas =
+      !input.areas.empty()
+          ? input.areas
+          : AP::areas_from_density<CGAL::Parallel_if_available_tag>(input.points, input.normals);
   surfels.sources.resize(input.points.size());
   std::iota(surfels.sources.begin(), surfels.sources.end(), 0u);
   return surfels;

@@ -83,7 +83,6 @@ public:
 
 /// \param threads how many threads will use the surface at a time
 /// \throw Usage_error if the input has no such normals.
-/// \throw Input_error if points have no areas and are too few to estimate them.
 std::shared_ptr<const Surface> make_surface(const Input& input, const Surface_options& options,
                                             std::size_t threads);
 

@@ -14,14 +14,12 @@
 #include <CGAL/Area_projection_transform/projection/Grid_projector.h>
 #include <CGAL/Area_projection_transform/projection/Kd_tree_evaluator.h>
 #include <CGAL/Area_projection_transform/scale_space/Constant_scale_space.h>
-#include <CGAL/Area_projection_transform/surfels_from_points.h>
 
 #include <gtest/gtest.h>
 
 #include <array>
 #include <functional>
 #include <memory>
-#include <numeric>
 #include <vector>
 
 namespace {
@@ -56,26 +54,6 @@ TEST(Limits, voxels_outside_of_the_grid_have_no_storage)
     EXPECT_EQ(map.value(i, j, k), 0);
     EXPECT_EQ(map.radius(i, j, k), 0);
   }
-}
-
-// Scanners return zeros where they see nothing: a hundred thousand copies of one point must neither
-// take long nor change the area of the others.
-TEST(Limits, copies_of_a_point_share_its_area)
-{
-  std::vector<Point_3> points;
-  for(int i = 0; i < 20; ++i)
-    for(int j = 0; j < 20; ++j)
-      points.emplace_back(i, j, 0);
-  const std::vector<double> alone = AP::areas_from_density(points);
-  points.insert(points.end(), 100000, Point_3(3, 4, 0));
-  const std::vector<double> with_copies = AP::areas_from_density(points);
-  for(std::size_t i = 0; i < alone.size(); ++i)
-    if(points[i] != Point_3(3, 4, 0)) {
-      EXPECT_EQ(with_copies[i], alone[i]);
-    }
-  EXPECT_NEAR(std::accumulate(with_copies.begin(), with_copies.end(), 0.) /
-                  std::accumulate(alone.begin(), alone.end(), 0.),
-              1, 1e-9);
 }
 
 TEST(Limits, parameters_out_of_range_are_named)

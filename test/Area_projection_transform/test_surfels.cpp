@@ -4,14 +4,12 @@
 //
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-// What goes in: meshes of any type and kernel with any of the named parameters, soups, points; and how
-// they are sampled.
+// What goes in: meshes of any type and kernel with any of the named parameters, soups; and how they are
+// sampled.
 
 #include "shapes.h"
 
 #include <CGAL/area_projection_transform.h>
-#include <CGAL/Area_projection_transform/projection/Kd_tree_evaluator.h>
-#include <CGAL/Area_projection_transform/surfels_from_points.h>
 
 #include <CGAL/Exact_predicates_exact_constructions_kernel.h>
 #include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
@@ -350,132 +348,6 @@ TEST(Sampling, does_not_depend_on_batches_or_on_other_triangles)
                                           EXPECT_EQ(all.areas[next], area);
                                           EXPECT_EQ(all.positions[next++], position);
                                         });
-}
-
-// ---------------------------------------------------------------- points
-
-using Point_with_normal = std::pair<Epick::Point_3, Epick::Vector_3>;
-using Points = std::vector<Point_with_normal>;
-
-auto maps_of_pairs()
-{
-  return CGAL::parameters::point_map(CGAL::First_of_pair_property_map<Point_with_normal>())
-      .normal_map(CGAL::Second_of_pair_property_map<Point_with_normal>());
-}
-
-TEST(Points, become_surfels_one_by_one)
-{
-  const Points points{{{1, 2, 3}, {0, 0, 5}}, {{4, 5, 6}, {3, 4, 0}}};
-  const boost::static_property_map<double> areas(0.25);
-  const AP::Surfels surfels =
-      AP::surfels_from_points(points, P::combine(maps_of_pairs(), P::area_map(areas)));
-  ASSERT_EQ(surfels.size(), 2u);
-  EXPECT_EQ(surfels.positions[1], Point_3(4, 5, 6));
-  EXPECT_EQ(surfels.normals[0], Vector_3(0, 0, 1));
-  EXPECT_NEAR(surfels.normals[1] * Vector_3(0.6, 0.8, 0), 1, 1e-15);
-  EXPECT_EQ(surfels.areas, (std::vector<double>{0.25, 0.25}));
-  EXPECT_EQ(surfels.sources, (std::vector<std::uint32_t>{0, 1}));
-}
-
-/// points of a sphere of radius 1 that are independent and uniform.
-Points random_sphere(int number, std::uint64_t seed)
-{
-  shapes::Random random(seed);
-  Points points;
-  for(int n = 0; n < number; ++n) {
-    const Vector_3 d = random.direction();
-    points.emplace_back(Epick::Point_3(d.x(), d.y(), d.z()), Epick::Vector_3(d.x(), d.y(), d.z()));
-  }
-  return points;
-}
-
-// On a sphere the cap within the chord d has the area πd², by Archimedes, and holds each other point
-// with the same probability: on average k of n points at the k-th. So the estimates of n points
-// average to k/(k + 1/2) of the area of each. One of them varies by 1/sqrt(k) of itself, and so do
-// about k neighbours together: their sum by about 1/sqrt(n).
-TEST(Areas_from_density, sum_to_the_area_of_a_sphere_of_random_points)
-{
-  const int number = 10000;
-  const AP::Surfels surfels = AP::surfels_from_points(random_sphere(number, 65), maps_of_pairs());
-  const double expected = 4 * pi * 12 / 12.5;
-  EXPECT_NEAR(surfels.total_area() / expected, 1, 5 / std::sqrt(double(number)));
-}
-
-// The same on a plane, for points far enough from the border of the patch.
-TEST(Areas_from_density, sum_to_the_area_of_a_plane_of_random_points)
-{
-  shapes::Random random(66);
-  const int number = 10000;
-  std::vector<Point_3> points;
-  for(int n = 0; n < number; ++n)
-    points.push_back(random.point_in(CGAL::Bbox_3(0, 0, 5, 1, 1, 5)));
-  for(const unsigned k : {6u, 12u, 24u}) {
-    const std::vector<double> areas = AP::areas_from_density(points, k);
-    double sum = 0;
-    int inside = 0;
-    for(std::size_t i = 0; i < points.size(); ++i)
-      if(std::abs(points[i].x() - 0.5) < 0.4 && std::abs(points[i].y() - 0.5) < 0.4) {
-        sum += areas[i];
-        ++inside;
-      }
-    const double expected = inside / double(number) * k / (k + 0.5);
-    EXPECT_NEAR(sum / expected, 1, 5 / std::sqrt(double(inside))) << k;
-  }
-}
-
-TEST(Points, of_a_sphere_read_one_at_its_centre)
-{
-  const int number = 10000;
-  Points points = random_sphere(number, 67);
-  const boost::static_property_map<double> areas(4 * pi / number);
-  const AP::Constant_scale_space<AP::Surfels> with_areas(
-      AP::surfels_from_points(points, P::combine(P::area_map(areas), maps_of_pairs())));
-  const AP::Constant_scale_space<AP::Surfels> without_areas(
-      AP::surfels_from_points(points, maps_of_pairs()));
-  const auto mapt = [](const auto& surface) {
-    return AP::Kd_tree_evaluator(surface, 1, Side::INSIDE, 0.1)(Point_3(0, 0, 0), 0.5) / (4 * pi);
-  };
-  EXPECT_NEAR(mapt(with_areas), 1, 1e-12);
-  EXPECT_NEAR(mapt(without_areas), 12 / 12.5, 0.05);
-}
-
-// Areas of zero are allowed: such points are there, but count for nothing.
-TEST(Points, without_area_change_nothing)
-{
-  const Points points = random_sphere(500, 68);
-  const boost::static_property_map<double> one(1.);
-  AP::Surfels surfels =
-      AP::surfels_from_points(points, P::combine(maps_of_pairs(), P::area_map(one)));
-  for(std::size_t i = 0; i < points.size(); ++i)
-    surfels.areas[i] = i % 5 ? 0. : 1.;
-  const AP::Constant_scale_space<AP::Surfels> surface(surfels);
-  EXPECT_EQ(surface.area(1), 100);
-  EXPECT_EQ(AP::Kd_tree_evaluator(surface, 1, Side::INSIDE, 0.1)(Point_3(0, 0, 0), 0.5), 100);
-}
-
-TEST(Points, name_the_element_that_is_wrong)
-{
-  const boost::static_property_map<double> one(1.), negative(-2.);
-  const auto of = [&](const Points& points, const auto& areas) {
-    return shapes::complaint(
-        [&] { AP::surfels_from_points(points, P::combine(maps_of_pairs(), P::area_map(areas))); });
-  };
-  EXPECT_EQ(of({{{0, 0, 0}, {0, 0, 1}}, {{0, 0, INFINITY}, {0, 0, 1}}}, one),
-            "point 1 is not finite");
-  EXPECT_EQ(of({{{0, 0, 0}, {0, 0, 0}}}, one),
-            "point 0 has no normal: must be a finite vector other than zero");
-  EXPECT_EQ(of({{{0, 0, 0}, {0, NAN, 1}}}, one),
-            "point 0 has no normal: must be a finite vector other than zero");
-  EXPECT_EQ(of({{{0, 0, 0}, {0, 0, 1}}}, negative),
-            "point 0 has the area -2.000000: must be finite and not negative");
-  EXPECT_EQ(shapes::complaint([] {
-              AP::areas_from_density({{0, 0, 0}, {1, 0, 0}}, 2);
-            }),
-            "points has 2 different positions: an estimate of areas needs more than 2");
-  EXPECT_EQ(shapes::complaint([] {
-              AP::areas_from_density({{0, 0, 0}, {1, 0, 0}}, 0);
-            }),
-            "k is 0: must be at least 1");
 }
 
 } // namespace

@@ -1,0 +1,440 @@
+// Copyright (c) 2026 The Area Projection Transform authors.
+//
+// This file is part of the Area_projection_transform package.
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+// What goes in as points: their areas, and the surfels that they become.
+
+#include "shapes.h"
+
+#include <CGAL/Area_projection_transform/areas_from_density.h>
+#include <CGAL/Area_projection_transform/parameters.h>
+#include <CGAL/Area_projection_transform/projection/Kd_tree_evaluator.h>
+#include <CGAL/Area_projection_transform/scale_space/Constant_scale_space.h>
+#include <CGAL/Area_projection_transform/surfels_from_points.h>
+
+#include <CGAL/Exact_predicates_exact_constructions_kernel.h>
+#include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
+#include <CGAL/property_map.h>
+
+#include <boost/property_map/property_map.hpp>
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+#include <numeric>
+#include <string>
+#include <utility>
+#include <vector>
+
+namespace {
+
+namespace AP = CGAL::Area_projection;
+namespace P = CGAL::Area_projection::parameters;
+using AP::Point_3;
+using AP::Side;
+using AP::Vector_3;
+using shapes::pi;
+
+using Epick = CGAL::Exact_predicates_inexact_constructions_kernel;
+using Epeck = CGAL::Exact_predicates_exact_constructions_kernel;
+
+/// points with their true normals.
+struct Cloud
+{
+  std::vector<Point_3> points;
+  std::vector<Vector_3> normals;
+
+  void push_back(const Point_3& point, const Vector_3& normal)
+  {
+    points.push_back(point);
+    normals.push_back(normal);
+  }
+
+  std::vector<double> areas() const { return AP::areas_from_density(points, normals); }
+
+  /// the sum of the areas of the points for which `is_counted(point)` holds.
+  template <class Predicate>
+  double area_where(Predicate is_counted) const
+  {
+    const std::vector<double> all = areas();
+    double sum = 0;
+    for(std::size_t i = 0; i < points.size(); ++i)
+      if(is_counted(points[i]))
+        sum += all[i];
+    return sum;
+  }
+
+  double area() const
+  {
+    return area_where([](const Point_3&) { return true; });
+  }
+};
+
+Cloud joined(Cloud a, const Cloud& b)
+{
+  a.points.insert(a.points.end(), b.points.begin(), b.points.end());
+  a.normals.insert(a.normals.end(), b.normals.begin(), b.normals.end());
+  return a;
+}
+
+/// points of a sphere that are independent and uniform, but for the directions for which
+/// `is_left_out(direction)` holds.
+template <class Predicate>
+Cloud sphere_without(int number, std::uint64_t seed, Predicate is_left_out,
+                     const Point_3& center = Point_3(0, 0, 0), double radius = 1)
+{
+  shapes::Random random(seed);
+  Cloud cloud;
+  while(int(cloud.points.size()) < number) {
+    const Vector_3 d = random.direction();
+    if(!is_left_out(d))
+      cloud.push_back(center + radius * d, d);
+  }
+  return cloud;
+}
+
+Cloud sphere(int number, std::uint64_t seed, const Point_3& center = Point_3(0, 0, 0),
+             double radius = 1)
+{
+  return sphere_without(
+      number, seed, [](const Vector_3&) { return false; }, center, radius);
+}
+
+/// `n` by `n` points `i*a + j*b`, facing up.
+Cloud lattice(int n, const Vector_3& a, const Vector_3& b)
+{
+  Cloud cloud;
+  for(int i = 0; i < n; ++i)
+    for(int j = 0; j < n; ++j)
+      cloud.push_back(CGAL::ORIGIN + i * a + j * b, Vector_3(0, 0, 1));
+  return cloud;
+}
+
+/// random points of the unit square at a height, facing up or down.
+Cloud square(int number, std::uint64_t seed, double height, double up)
+{
+  shapes::Random random(seed);
+  Cloud cloud;
+  for(int i = 0; i < number; ++i)
+    cloud.push_back(random.point_in(CGAL::Bbox_3(0, 0, height, 1, 1, height)), Vector_3(0, 0, up));
+  return cloud;
+}
+
+/// few places and normals, so that copies, lines, planes and stacks abound.
+Cloud rubble(int number, std::uint64_t seed)
+{
+  shapes::Random random(seed);
+  const int width = 1 + int(random(0, 5));
+  const auto coordinate = [&] { return std::floor(random(0, width)); };
+  Cloud cloud;
+  while(int(cloud.points.size()) < number) {
+    const double x = coordinate(), y = coordinate(), z = coordinate();
+    const double u = coordinate(), v = coordinate();
+    cloud.push_back(Point_3(x, y, z), Vector_3(u - 1, v - 1, coordinate() + 0.5));
+  }
+  return cloud;
+}
+
+// ---------------------------------------------------------------- areas
+
+// The cells of the points tile the sphere, as Voronoi cells do; each is laid out in a plane, which
+// changes it by the order of its angular size squared, 4π/n.
+TEST(Areas_from_density, sum_to_that_of_a_sphere)
+{
+  for(const int number : {200, 1000, 10000})
+    EXPECT_NEAR(sphere(number, 65).area() / (4 * pi), 1, 4 * pi / number) << number;
+}
+
+// Counted in two caps beyond the place where the density jumps. Their rims cut through cells, which
+// count as a whole or not at all: each is wrong by about a third of itself.
+TEST(Areas_from_density, are_right_on_both_sides_of_a_jump_of_the_density)
+{
+  shapes::Random random(66);
+  const int number = 20000;
+  const Cloud cloud =
+      sphere_without(number, 67, [&](const Vector_3& d) { return d.z() < 0 && random() > 0.1; });
+  const double height = 0.3, cap = 2 * pi * (1 - height);
+  const double rim = 2 * pi * std::sqrt(1 - height * height);
+  for(const double side : {-1., 1.}) {
+    const double cell = 2 * pi / (number * (side > 0 ? 10. : 1.) / 11);
+    const double error = cell / 3 * std::sqrt(rim / std::sqrt(cell));
+    EXPECT_NEAR(cloud.area_where([&](const Point_3& p) { return side * p.z() > height; }), cap,
+                4 * error)
+        << side;
+    EXPECT_LT(4 * error, 0.012 * cap);
+  }
+}
+
+// Noise along the normals does not move the projections.
+TEST(Areas_from_density, do_not_feel_noise_along_the_normals)
+{
+  shapes::Random random(68);
+  const int number = 10000;
+  const double spacing = std::sqrt(4 * pi / number);
+  Cloud cloud = sphere(number, 69);
+  for(std::size_t i = 0; i < cloud.points.size(); ++i)
+    cloud.points[i] += random(-0.5, 0.5) * spacing * cloud.normals[i];
+  EXPECT_NEAR(cloud.area() / (4 * pi), 1, 0.002);
+}
+
+// The area of a cell is that of the parallelogram of the lattice, whichever it is; also where the
+// lines of a scanner lie far apart.
+TEST(Areas_from_density, are_exact_within_lattices)
+{
+  const int n = 30;
+  for(const Vector_3& b : {Vector_3(0, 1, 0), Vector_3(0.5, std::sqrt(0.75), 0),
+                           Vector_3(0.3, 1.7, 0), Vector_3(0, 20, 0)}) {
+    const std::vector<double> areas = lattice(n, Vector_3(1, 0, 0), b).areas();
+    for(int i = 12; i < n - 12; ++i)
+      for(int j = 4; j < n - 4; ++j)
+        ASSERT_NEAR(areas[std::size_t(i * n + j)] / b.y(), 1, 1e-12) << i << " " << j;
+  }
+}
+
+// Where the points end, half a cell more or less is a matter of opinion: the cells at the border
+// are 4√n of n.
+TEST(Areas_from_density, of_a_square_sum_to_its_own)
+{
+  const int number = 10000;
+  const double half_of_border = 2 / std::sqrt(double(number));
+  const Cloud random = square(number, 70, 5, 1);
+  EXPECT_NEAR(random.area(), 1, half_of_border);
+  const double cell = 1. / number, rim = 4 * 0.8;
+  EXPECT_NEAR(random.area_where([](const Point_3& p) {
+    return std::abs(p.x() - 0.5) < 0.4 && std::abs(p.y() - 0.5) < 0.4;
+  }),
+              0.64, 4 * cell / 3 * std::sqrt(rim / std::sqrt(cell)));
+  const Cloud regular = lattice(100, Vector_3(0.01, 0, 0), Vector_3(0, 0.01, 0));
+  EXPECT_NEAR(regular.area(), 1, half_of_border);
+}
+
+TEST(Areas_from_density, keep_the_sides_of_a_thin_plate_apart)
+{
+  const int number = 5000;
+  for(const double spacings : {0., 0.01, 1.}) {
+    const double height = spacings / std::sqrt(double(number));
+    const Cloud plate = joined(square(number, 71, height, 1), square(number, 72, 0, -1));
+    EXPECT_NEAR(plate.area(), 2, 4 / std::sqrt(double(number))) << spacings;
+  }
+  const int n = 20;
+  Cloud sheet = lattice(n, Vector_3(1, 0, 0), Vector_3(0, 1, 0)); // two sides, at the same places
+  for(std::size_t i = 0; i < std::size_t(n * n); ++i)
+    sheet.push_back(sheet.points[i], Vector_3(0, 0, -1));
+  const std::vector<double> areas = sheet.areas();
+  const std::size_t middle = n * n / 2 + n / 2;
+  EXPECT_NEAR(areas[middle], 1, 1e-12);
+  EXPECT_NEAR(areas[middle + n * n], 1, 1e-12);
+}
+
+TEST(Areas_from_density, of_outliers_are_those_of_a_point_of_the_surface)
+{
+  Cloud cloud = sphere(2000, 73);
+  const std::vector<double> alone = cloud.areas();
+  const double largest = *std::max_element(alone.begin(), alone.end());
+  const std::vector<Vector_3> normals{{0, 0, 1}, {0, 0, -1}, {1, 0, 0}};
+  const std::vector<Point_3> places{{0, 0, 1e6}, {0, 0, 50}, {-30, 7, 0}};
+  for(std::size_t i = 0; i < places.size(); ++i)
+    cloud.push_back(places[i], normals[i]);
+  const std::vector<double> areas = cloud.areas();
+  for(std::size_t i = 0; i < areas.size(); ++i)
+    if(i < alone.size()) {
+      EXPECT_EQ(areas[i], alone[i]);
+    } else {
+      EXPECT_LE(areas[i], largest);
+    }
+}
+
+// Scanners return zeros where they see nothing: a hundred thousand copies of one point must neither
+// take long nor change the area of the others.
+TEST(Areas_from_density, are_shared_by_copies)
+{
+  Cloud cloud = lattice(20, Vector_3(1, 0, 0), Vector_3(0, 1, 0));
+  const std::vector<double> alone = cloud.areas();
+  shapes::Random random(74);
+  const std::size_t place = 64;
+  for(int i = 0; i < 100000; ++i)
+    cloud.push_back(cloud.points[place], Vector_3(0, 0, random(1, 2)));
+  const std::vector<double> areas = cloud.areas();
+  for(std::size_t i = 0; i < alone.size(); ++i)
+    if(i != place) {
+      EXPECT_EQ(areas[i], alone[i]);
+    }
+  for(std::size_t i = alone.size() + 1; i < areas.size(); ++i)
+    ASSERT_EQ(areas[i], areas[alone.size()]);
+}
+
+TEST(Areas_from_density, follow_similarities)
+{
+  shapes::Random random(75);
+  const Cloud cloud = joined(sphere(500, 76), square(300, 77, 2, 1));
+  const std::vector<double> areas = cloud.areas();
+  const shapes::Rotation rotation{random.direction(), 1.3};
+  const double factor = 1e-70;
+  Cloud moved;
+  for(std::size_t i = 0; i < areas.size(); ++i)
+    moved.push_back(Point_3(0, 0, factor) + factor * (rotation(cloud.points[i]) - CGAL::ORIGIN),
+                    7 * (rotation(CGAL::ORIGIN + cloud.normals[i]) - CGAL::ORIGIN));
+  const std::vector<double> moved_areas = moved.areas();
+  for(std::size_t i = 0; i < areas.size(); ++i)
+    ASSERT_NEAR(moved_areas[i] / (factor * factor * areas[i]), 1, 1e-6) << i;
+}
+
+TEST(Areas_from_density, have_the_same_bits_in_any_order_and_number_of_threads)
+{
+  const Cloud cloud = joined(sphere(1000, 78), rubble(500, 79));
+  const std::vector<double> areas = cloud.areas();
+  EXPECT_EQ(AP::areas_from_density<CGAL::Parallel_if_available_tag>(cloud.points, cloud.normals),
+            areas);
+  std::vector<std::size_t> order(areas.size());
+  std::iota(order.begin(), order.end(), std::size_t(0));
+  shapes::Random random(80);
+  random.shuffle(order);
+  Cloud shuffled;
+  for(const std::size_t i : order)
+    shuffled.push_back(cloud.points[i], cloud.normals[i]);
+  const std::vector<double> shuffled_areas = shuffled.areas();
+  for(std::size_t i = 0; i < order.size(); ++i)
+    ASSERT_EQ(shuffled_areas[i], areas[order[i]]);
+}
+
+TEST(Areas_from_density, are_positive_for_any_points)
+{
+  for(int n = 2; n < 300; ++n) {
+    Cloud cloud = rubble(n, std::uint64_t(n));
+    cloud.push_back(Point_3(-1, 0, 0), Vector_3(0, 0, 1)); // so that there are two
+    for(const unsigned k : {3u, 24u})
+      for(const double area : AP::areas_from_density(cloud.points, cloud.normals, k)) {
+        ASSERT_TRUE(std::isfinite(area)) << n;
+        ASSERT_GT(area, 0) << n;
+      }
+  }
+  Cloud line;
+  for(int i = 0; i < 30; ++i)
+    line.push_back(Point_3(i, 2 * i, 3 * i), Vector_3(0, 0, 1));
+  for(const double area : line.areas())
+    EXPECT_TRUE(area > 0 && std::isfinite(area));
+}
+
+// Squares of their distances are zero.
+TEST(Areas_from_density, are_finite_for_points_that_can_hardly_be_told_apart)
+{
+  Cloud cloud;
+  shapes::Random random(99);
+  for(int i = 0; i < 40; ++i)
+    cloud.push_back(CGAL::ORIGIN + random(0, 1e-170) * random.direction(), random.direction());
+  for(int i = 0; i < 2; ++i) {
+    for(const double area : cloud.areas())
+      EXPECT_TRUE(area >= 0 && std::isfinite(area));
+    cloud.push_back(Point_3(1, 0, 0), Vector_3(0, 0, 1));
+  }
+}
+
+TEST(Areas_from_density, name_what_is_wrong)
+{
+  const auto of = [](const std::vector<Point_3>& points, const std::vector<Vector_3>& normals,
+                     unsigned k) {
+    return shapes::complaint([&] { AP::areas_from_density(points, normals, k); });
+  };
+  const Vector_3 up(0, 0, 1);
+  EXPECT_EQ(of({{0, 0, 0}, {1, 0, 0}}, {up, up}, 2), "k is 2: must be at least 3");
+  EXPECT_EQ(of({{0, 0, 0}, {1, 0, 0}}, {up}, 3),
+            "normals has 1 elements: must have one for each of 2 points");
+  EXPECT_EQ(of({{0, 0, 0}, {NAN, 0, 0}}, {up, up}, 3), "point 1 is not finite");
+  EXPECT_EQ(of({{0, 0, 0}, {1, 0, 0}}, {up, {0, 0, 0}}, 3),
+            "point 1 has no normal: must be a finite vector other than zero");
+  EXPECT_EQ(of({{0, 0, 0}, {1, 0, 0}}, {{NAN, 0, 1}, up}, 3),
+            "point 0 has no normal: must be a finite vector other than zero");
+  EXPECT_EQ(of({{1, 0, 0}, {1, 0, 0}}, {up, -up}, 3),
+            "points has 1 different positions: an estimate of areas needs at least 2");
+  EXPECT_EQ(of({}, {}, 3),
+            "points has 0 different positions: an estimate of areas needs at least 2");
+}
+
+// ---------------------------------------------------------------- surfels
+
+using Point_with_normal = std::pair<Epick::Point_3, Epick::Vector_3>;
+using Points = std::vector<Point_with_normal>;
+
+auto maps_of_pairs()
+{
+  return CGAL::parameters::point_map(CGAL::First_of_pair_property_map<Point_with_normal>())
+      .normal_map(CGAL::Second_of_pair_property_map<Point_with_normal>());
+}
+
+TEST(Points, become_surfels_one_by_one)
+{
+  const Points points{{{1, 2, 3}, {0, 0, 5}}, {{4, 5, 6}, {3, 4, 0}}};
+  const boost::static_property_map<double> areas(0.25);
+  const AP::Surfels surfels =
+      AP::surfels_from_points(points, P::combine(maps_of_pairs(), P::area_map(areas)));
+  ASSERT_EQ(surfels.size(), 2u);
+  EXPECT_EQ(surfels.positions[1], Point_3(4, 5, 6));
+  EXPECT_EQ(surfels.normals[0], Vector_3(0, 0, 1));
+  EXPECT_NEAR(surfels.normals[1] * Vector_3(0.6, 0.8, 0), 1, 1e-15);
+  EXPECT_EQ(surfels.areas, (std::vector<double>{0.25, 0.25}));
+  EXPECT_EQ(surfels.sources, (std::vector<std::uint32_t>{0, 1}));
+}
+
+/// points of a sphere of radius 1 that are independent and uniform.
+Points random_sphere(int number, std::uint64_t seed)
+{
+  shapes::Random random(seed);
+  Points points;
+  for(int n = 0; n < number; ++n) {
+    const Vector_3 d = random.direction();
+    points.emplace_back(Epick::Point_3(d.x(), d.y(), d.z()), Epick::Vector_3(d.x(), d.y(), d.z()));
+  }
+  return points;
+}
+
+TEST(Points, of_a_sphere_read_one_at_its_centre)
+{
+  const int number = 10000;
+  Points points = random_sphere(number, 67);
+  const boost::static_property_map<double> areas(4 * pi / number);
+  const AP::Constant_scale_space<AP::Surfels> with_areas(
+      AP::surfels_from_points(points, P::combine(P::area_map(areas), maps_of_pairs())));
+  const AP::Constant_scale_space<AP::Surfels> without_areas(
+      AP::surfels_from_points(points, maps_of_pairs()));
+  const auto mapt = [](const auto& surface) {
+    return AP::Kd_tree_evaluator(surface, 1, Side::INSIDE, 0.1)(Point_3(0, 0, 0), 0.5) / (4 * pi);
+  };
+  EXPECT_NEAR(mapt(with_areas), 1, 1e-12);
+  EXPECT_NEAR(mapt(without_areas), 1, 4 * pi / number);
+}
+
+// Areas of zero are allowed: such points are there, but count for nothing.
+TEST(Points, without_area_change_nothing)
+{
+  const Points points = random_sphere(500, 68);
+  const boost::static_property_map<double> one(1.);
+  AP::Surfels surfels =
+      AP::surfels_from_points(points, P::combine(maps_of_pairs(), P::area_map(one)));
+  for(std::size_t i = 0; i < points.size(); ++i)
+    surfels.areas[i] = i % 5 ? 0. : 1.;
+  const AP::Constant_scale_space<AP::Surfels> surface(surfels);
+  EXPECT_EQ(surface.area(1), 100);
+  EXPECT_EQ(AP::Kd_tree_evaluator(surface, 1, Side::INSIDE, 0.1)(Point_3(0, 0, 0), 0.5), 100);
+}
+
+TEST(Points, name_the_element_that_is_wrong)
+{
+  const boost::static_property_map<double> one(1.), negative(-2.);
+  const auto of = [&](const Points& points, const auto& areas) {
+    return shapes::complaint(
+        [&] { AP::surfels_from_points(points, P::combine(maps_of_pairs(), P::area_map(areas))); });
+  };
+  EXPECT_EQ(of({{{0, 0, 0}, {0, 0, 1}}, {{0, 0, INFINITY}, {0, 0, 1}}}, one),
+            "point 1 is not finite");
+  EXPECT_EQ(of({{{0, 0, 0}, {0, 0, 0}}}, one),
+            "point 0 has no normal: must be a finite vector other than zero");
+  EXPECT_EQ(of({{{0, 0, 0}, {0, NAN, 1}}}, one),
+            "point 0 has no normal: must be a finite vector other than zero");
+  EXPECT_EQ(of({{{0, 0, 0}, {0, 0, 1}}}, negative),
+            "point 0 has the area -2.000000: must be finite and not negative");
+}
+
+} // namespace

@@ -185,6 +185,14 @@ void add_reading_options(CLI::App& app, Common_options& options)
                "turn faces over until neighbours agree about the outside")
       ->group("Mesh");
   app.add_flag("--flip", options.reading.flip, "turn all faces (or normals) over")->group("Mesh");
+  add_normals_option(app, options.reading);
+}
+
+void add_normals_option(CLI::App& app, Reading_options& reading)
+{
+  app.add_flag("--estimate-normals", reading.estimate_normals,
+               "of points that have none: from their neighbours, outward")
+      ->group("Mesh");
 }
 
 bool parse(CLI::App& app, std::vector<std::string> arguments)

@@ -21,6 +21,9 @@ nlohmann::ordered_json to_json(const Mesh_report& report)
   json["duplicate_vertices"] = report.duplicate_vertices;
   json["unused_vertices"] = report.unused_vertices;
   json["points_without_normal"] = report.points_without_normal;
+  json["normals_estimated"] = report.normal_neighbours > 0;
+  json["normal_neighbours"] = report.normal_neighbours;
+  json["points_unoriented"] = report.points_unoriented;
   json["is_closed"] = report.is_closed;
   json["is_consistently_oriented"] = report.is_consistently_oriented;
   json["boundary_edges"] = report.boundary_edges;
@@ -46,7 +49,8 @@ std::string summary(const Input& input)
 {
   const Mesh_report& report = input.report;
   if(input.is_point_set)
-    return counted(report.vertices, "point", "points") + " with normals" +
+    return counted(report.vertices, "point", "points") +
+           (report.normal_neighbours > 0 ? ", normals estimated" : " with normals") +
            (input.areas.empty() ? ", areas from their density" : " and areas");
   std::string text = counted(report.vertices, "vertex", "vertices") + ", " +
                      counted(report.faces, "face", "faces") + ", ";

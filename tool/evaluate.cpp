@@ -135,7 +135,6 @@ std::vector<double> evaluate(const Surface& surface, const std::vector<AP::Query
 {
   using Tag = CGAL::Parallel_if_available_tag;
   const AP::Side side = options.side == "inside" ? AP::Side::INSIDE : AP::Side::OUTSIDE;
-  const Thread_limit limit(number_of_threads(options.common.threads));
   if(options.method == "exact")
     return AP::evaluate_at_points<Tag>(queries, [&](const AP::Scale& scale) {
       return AP::Exact_evaluator(surface, scale.radius, side);
@@ -258,6 +257,7 @@ bool run_evaluate(const std::vector<std::string>& arguments, Console& console)
     check_output(options);
 
   const std::vector<AP::Query> queries = read_queries(options);
+  const Thread_limit limit(number_of_threads(options.common.threads));
   const Input input = read_input(options.mesh, options.common.reading);
   console.report["input"] = {{"file", options.mesh}};
   console.report["input"].update(to_json(input.report));

@@ -9,6 +9,7 @@
 #include "command_line.h"
 #include "commands.h"
 #include "describe_input.h"
+#include "errors.h"
 #include "map_file.h"
 #include "text.h"
 #include "transform_plan.h"
@@ -101,9 +102,9 @@ void show_operations(const Input& input, Console& console)
   console.report["operations"] = {inside, exact};
 }
 
-void show_mesh(const std::string& file, Console& console)
+void show_mesh(const std::string& file, const Reading_options& reading, Console& console)
 {
-  const Input input = read_input(file);
+  const Input input = read_input(file, reading);
   console.report["type"] = input.is_point_set ? "points" : "mesh";
   console.report.update(to_json(input.report));
   console.row("mesh", file + ": " + summary(input));
@@ -189,6 +190,7 @@ void show_map(const std::string& file, Console& console)
 bool run_info(const std::vector<std::string>& arguments, Console& console)
 {
   std::string file;
+  Reading_options reading;
   Command_line app("mapt info",
                    "Tells what is in a file and what is wrong with it: of a mesh the counts, the "
                    "measures and what a transform would take; of a map its grid, ranges and "
@@ -196,15 +198,19 @@ bool run_info(const std::vector<std::string>& arguments, Console& console)
   app.add_option("FILE", file, "a mesh, points with normals, or a map (.vti .nrrd)")
       ->required()
       ->type_name("");
+  add_normals_option(app, reading);
   add_console_options(app, console);
   if(!parse(app, arguments))
     return false;
   console.report["file"] = file;
   const std::string extension = extension_of(file);
-  if(extension == ".vti" || extension == ".nrrd")
+  const bool is_map = extension == ".vti" || extension == ".nrrd";
+  if(is_map && reading.estimate_normals)
+    throw Usage_error("--estimate-normals: " + file + " is a map, not points: leave it out");
+  if(is_map)
     show_map(file, console);
   else
-    show_mesh(file, console);
+    show_mesh(file, reading, console);
   return true;
 }
 

@@ -6,9 +6,12 @@
 
 #include "input.h"
 
+#include "errors.h"
 #include "mesh_orientation.h"
 #include "mesh_topology.h"
 #include "mesh_triangulation.h"
+
+#include <CGAL/Area_projection_transform/normals_from_points.h>
 
 #include <algorithm>
 #include <cctype>
@@ -230,14 +233,42 @@ void take_mesh(const Input_file& file, Raw_mesh&& raw, const Reading_options& op
       --report.degenerate_faces;
 }
 
-void take_points(const Input_file& file, const Raw_mesh& raw, const Reading_options& options,
+// Those that could not be oriented are null, as normals of a file may be.
+std::vector<Vector_3> estimate_normals(const Input_file& file, const std::vector<Point_3>& points,
+                                       Mesh_report& report)
+{
+  using Tag = CGAL::Parallel_if_available_tag;
+  try {
+    auto estimated = CGAL::Area_projection::normals_from_points<Tag>(points);
+    report.normal_neighbours = estimated.number_of_neighbours;
+    report.points_unoriented = estimated.unoriented.size();
+    report.components = estimated.number_of_parts;
+    return std::move(estimated.normals);
+  } catch(const std::invalid_argument& error) {
+    file.fail("its normals cannot be estimated: " + std::string(error.what()) +
+              "; give it more points, or normals");
+  }
+}
+
+void take_normals(const Input_file& file, const Reading_options& options, Raw_mesh& raw,
+                  Mesh_report& report)
+{
+  if(options.estimate_normals && !raw.normals.empty())
+    throw Usage_error("--estimate-normals: " + file.name + " has normals: leave it out");
+  if(options.estimate_normals)
+    raw.normals = estimate_normals(file, raw.points, report);
+  if(raw.normals.empty())
+    file.fail(
+        "has " + std::to_string(raw.points.size()) +
+        " points, but no faces and no normals: use --estimate-normals, give the points outward "
+        "normals (nx ny nz), or export the faces");
+}
+
+void take_points(const Input_file& file, Raw_mesh&& raw, const Reading_options& options,
                  Input& input)
 {
-  if(raw.normals.empty())
-    file.fail("has " + std::to_string(raw.points.size()) +
-              " points, but no faces and no normals: points need outward normals (nx ny nz); "
-              "estimate and orient them first, or export the faces");
   Mesh_report& report = input.report;
+  take_normals(file, options, raw, report);
   input.is_point_set = true;
   for(std::size_t i = 0; i < raw.points.size(); ++i) {
     const Vector_3& n = raw.normals[i];
@@ -250,7 +281,7 @@ void take_points(const Input_file& file, const Raw_mesh& raw, const Reading_opti
       fail(" has the area " + std::to_string(raw.areas[i]) + ": must be finite and not negative");
     const double length = std::sqrt(n.squared_length());
     if(!(length > 0)) {
-      ++report.points_without_normal;
+      report.points_without_normal += options.estimate_normals ? 0 : 1;
       continue;
     }
     input.points.push_back(raw.points[i]);
@@ -260,7 +291,9 @@ void take_points(const Input_file& file, const Raw_mesh& raw, const Reading_opti
   }
   if(input.points.empty())
     file.fail("all " + std::to_string(raw.points.size()) +
-              " points have a normal of length 0: estimate normals first");
+              (options.estimate_normals
+                   ? " points lie on lines or apart: give it points of a surface, or normals"
+                   : " points have a normal of length 0: use --estimate-normals without them"));
   report.was_flipped = options.flip;
   report.bounding_box = CGAL::bbox_3(input.points.begin(), input.points.end());
   check_size(file, report.bounding_box, "points");
@@ -279,10 +312,13 @@ Input take(const Input_file& file, const Reading_options& options)
   Input input;
   input.file = file.name;
   input.report.vertices = raw.points.size();
+  if(raw.polygons.size() > 0 && options.estimate_normals)
+    throw Usage_error("--estimate-normals: " + file.name +
+                      " has faces, which tell the normals: leave it out");
   if(raw.polygons.size() > 0)
     take_mesh(file, std::move(raw), options, input);
   else
-    take_points(file, raw, options, input);
+    take_points(file, std::move(raw), options, input);
   return input;
 }
 

@@ -28,8 +28,9 @@ public:
 
 struct Reading_options
 {
-  bool orient = false; // turn faces over until neighbours agree
-  bool flip = false;   // turn all faces over, and do not look for faces that point inward
+  bool orient = false;           // turn faces over until neighbours agree
+  bool flip = false;             // turn all faces over, and do not look for faces that point inward
+  bool estimate_normals = false; // of points that have none
 };
 
 /// a file, checked and ready for the library: either triangles or points with normals.
@@ -54,6 +55,7 @@ struct Input
 /// Polygons become triangles. Faces without an area and points without a normal are left out.
 /// Closed parts of which the faces point inward are turned over.
 /// \throw Input_error if the file cannot be read or there is nothing to compute with.
+/// \throw Usage_error if normals are to be estimated and there are faces, or normals.
 Input read_input(const std::string& file, const Reading_options& options = {});
 
 } // namespace mapt

@@ -61,6 +61,21 @@ void warn_of_orientation(const Mesh_report& report, std::vector<std::string>& li
                     "to have faces that point inward: if so, use --flip");
 }
 
+void warn_of_points(const Mesh_report& report, std::vector<std::string>& lines)
+{
+  if(report.points_without_normal > 0)
+    lines.push_back(counted(report.points_without_normal, "point has", "points have") +
+                    "a normal of length 0: left out");
+  if(report.normal_neighbours > 0)
+    lines.push_back("normals were estimated from " + std::to_string(report.normal_neighbours) +
+                    " neighbours of each point; " +
+                    counted(report.components, "part faces", "parts face") +
+                    "outward, as far as can be told (--flip turns all over)");
+  if(report.points_unoriented > 0)
+    lines.push_back(counted(report.points_unoriented, "point lies", "points lie") +
+                    "on a line, or apart from others, and could not be oriented: left out");
+}
+
 } // namespace
 
 std::vector<std::string> warnings(const Mesh_report& report)
@@ -68,9 +83,7 @@ std::vector<std::string> warnings(const Mesh_report& report)
   std::vector<std::string> lines;
   warn_of_faces(report, lines);
   warn_of_orientation(report, lines);
-  if(report.points_without_normal > 0)
-    lines.push_back(counted(report.points_without_normal, "point has", "points have") +
-                    "a normal of length 0: left out");
+  warn_of_points(report, lines);
   return lines;
 }
 

@@ -32,6 +32,12 @@ struct Mesh_report
   std::size_t points_without_normal = 0; // of a point set: left out
   /// @}
 
+  /// \name Normals of points that have none in the file
+  /// @{
+  std::size_t normal_neighbours = 0; // that each was estimated from, or 0
+  std::size_t points_unoriented = 0; // of which no estimate is possible: left out
+  /// @}
+
   /// \name The triangles that are used
   /// @{
   std::size_t triangles = 0;
@@ -39,7 +45,7 @@ struct Mesh_report
   std::size_t holes = 0;              // connected pieces of the boundary
   std::size_t nonmanifold_edges = 0;  // of three faces or more
   std::size_t inconsistent_edges = 0; // that neighbours run through in the same direction
-  std::size_t components = 0;         // connected through edges
+  std::size_t components = 0;         // connected through edges; or of points, if estimated
   bool is_closed = false;
   bool is_consistently_oriented = false;
   std::optional<std::size_t> genus; // sum over the components, if closed, manifold and consistent

@@ -227,6 +227,7 @@ bool run_transform(const std::vector<std::string>& arguments, Console& console)
       check_writable(file);
 
   Stopwatch watch;
+  const Thread_limit limit(number_of_threads(options.common.threads));
   const Input input = read_input(options.mesh, options.common.reading);
   console.report["input"] = {{"file", options.mesh}};
   console.report["input"].update(to_json(input.report));

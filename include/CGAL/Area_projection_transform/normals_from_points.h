@@ -38,6 +38,7 @@ struct Estimated_normals
   std::vector<Vector_3> normals;       ///< unit vectors, or null where there is no answer
   std::vector<std::size_t> unoriented; ///< the points with a null normal, ascending
   std::size_t number_of_parts = 0;     ///< that hang together, each oriented by itself
+  unsigned number_of_neighbours = 0;   ///< that each normal was fitted to
 };
 
 /// \cond SKIP_IN_MANUAL
@@ -108,8 +109,8 @@ std::vector<Vector_3> fit_normals(const std::vector<Point_3>& positions,
 /// `CGAL::Parallel_if_available_tag`; the sides are carried over in one thread
 /// \tparam PointRange a range whose elements are the keys of the map
 /// \param points the elements; copies of a point share its normal
-/// \param k the number of neighbours, at least 6: more of them smooth more noise, fewer see
-/// finer shapes
+/// \param k the number of neighbours, at least 6, or all if there are fewer: more of them smooth more
+/// noise, fewer see finer shapes
 /// \param np an optional named parameter:
 /// \cgalNamedParamsBegin
 ///   \cgalParamNBegin{point_map}
@@ -153,6 +154,7 @@ normals_from_points(const PointRange& points, unsigned k = 18,
   std::vector<Vector_3> normals =
       internal::fit_normals<ConcurrencyTag>(distinct.positions, neighbours, k);
   Estimated_normals result;
+  result.number_of_neighbours = k;
   constexpr std::size_t nearest = 8; // more of them would reach over to sheets nearby
   result.number_of_parts = internal::orient_normals<ConcurrencyTag>(
       distinct.positions, neighbours, std::min(std::size_t(k), nearest), normals);

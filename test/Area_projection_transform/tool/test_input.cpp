@@ -129,8 +129,8 @@ INSTANTIATE_TEST_SUITE_P(
     testing::Values(
         Bad_file{"no_vertices.off", "has no vertices", "export it again"},
         Bad_file{"no_faces.off", "no faces and no normals", "export the faces"},
-        Bad_file{"points_without_normals.ply", "no faces and no normals", "estimate"},
-        Bad_file{"points_without_normals.xyz", "no faces and no normals", "estimate"},
+        Bad_file{"points_without_normals.ply", "no faces and no normals", "--estimate-normals"},
+        Bad_file{"points_without_normals.xyz", "no faces and no normals", "--estimate-normals"},
         Bad_file{"all_faces_degenerate.off", "2 faces, all degenerate", "export it again"},
         Bad_file{"zero_extent.off", "all vertices are at (5, 5, 5)", "rescale"},
         Bad_file{"truncated.off", "line 9: face 2 has 1 of 3 vertices", "export it again"},

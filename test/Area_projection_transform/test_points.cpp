@@ -168,6 +168,7 @@ TEST(Areas_from_density, are_right_on_both_sides_of_a_jump_of_the_density)
         << side;
     EXPECT_LT(4 * error, 0.012 * cap);
   }
+  EXPECT_NEAR(cloud.area() / (4 * pi), 1, 4 * pi / (2 * number / 11.)); // as if all were sparse
 }
 
 // Noise along the normals does not move the projections.

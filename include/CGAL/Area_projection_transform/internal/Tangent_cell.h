@@ -67,6 +67,20 @@ public:
     return largest;
   }
 
+  /// whether a corner is more than `ratio` times as far away as both its sides.
+  bool has_spike(double ratio) const
+  {
+    const std::size_t number = m_corners.size();
+    for(std::size_t i = 0; i < number; ++i) {
+      const Corner &a = m_corners[i], &b = m_corners[(i + 1) % number],
+                   &c = m_corners[(i + 2) % number];
+      const double nearer = ratio * std::max(distance_of_side(a, b), distance_of_side(b, c));
+      if(b.x * b.x + b.y * b.y > nearer * nearer)
+        return true;
+    }
+    return false;
+  }
+
   double area() const
   {
     double doubled = 0;
@@ -85,6 +99,12 @@ private:
   {
     double x, y;
   };
+
+  static double distance_of_side(const Corner& a, const Corner& b)
+  {
+    const double length = std::hypot(b.x - a.x, b.y - a.y);
+    return length > 0 ? (a.x * b.y - a.y * b.x) / length : 0;
+  }
 
   // Keeps the corners c with c·(x, y) <= bound, and adds those on the line.
   void cut(double x, double y, double bound)

@@ -47,13 +47,17 @@ public:
   /// returns the area of the cell of a place, or NaN if its neighbours do not close it.
   double closed_area(std::size_t place, Scratch& scratch) const
   {
-    // Where the density changes, the nearest neighbours may all be on one side.
-    for(const std::size_t number : {m_number, 4 * m_number}) {
-      m_neighbours.find(place, number, scratch.found);
+    // Where the density changes, and along the lines of scanners, the nearest are all to one side. What
+    // closes a cell then must not be two points of a border, which meet in a spike far outside.
+    constexpr double spike =
+        3; // 2 takes cells of random points for spikes, 4 takes spikes for cells
+    for(const std::size_t times : {1, 4, 16}) {
+      m_neighbours.find(place, times * m_number, scratch.found);
       // Who is not among them takes away nothing that is nearer than half the way to the last.
       const double squared_radius = scratch.found.back().squared_distance / 4;
       cut(place, std::sqrt(squared_radius), scratch);
-      if(scratch.cell.squared_reach() <= squared_radius)
+      if(scratch.cell.squared_reach() <= squared_radius &&
+         (times == 1 || !scratch.cell.has_spike(spike)))
         return scratch.cell.area();
     }
     return std::numeric_limits<double>::quiet_NaN();

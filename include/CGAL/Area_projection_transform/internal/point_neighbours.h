@@ -81,7 +81,8 @@ public:
   void find(std::size_t index, std::size_t number, std::vector<Neighbour>& found) const
   {
     // One more, because the point itself is found too.
-    Search search(m_tree, m_points[index], unsigned(number + 1), 0, true,
+    const unsigned number_with_itself = unsigned(std::min(number, m_points.size() - 1) + 1);
+    Search search(m_tree, m_points[index], number_with_itself, 0, true,
                   typename Search::Distance(make_property_map(m_points)));
     found.clear();
     for(const auto& [other, squared_distance] : search)

@@ -9,14 +9,7 @@
 
 #include <CGAL/Area_projection_transform/Surfels.h>
 #include <CGAL/Area_projection_transform/internal/Heat_flow.h>
-
-#include <CGAL/Kd_tree.h>
-#include <CGAL/Orthogonal_k_neighbor_search.h>
-#include <CGAL/Search_traits_3.h>
-#include <CGAL/Search_traits_adapter.h>
-#include <CGAL/property_map.h>
-
-#include <boost/iterator/counting_iterator.hpp>
+#include <CGAL/Area_projection_transform/internal/point_neighbours.h>
 
 #include <cstddef>
 #include <utility>
@@ -33,33 +26,24 @@ namespace internal {
 /// neighbours, on a plane, those of the Laplacian: `Σ w (u_j − u_i) = area Δu` for a quadratic `u`.
 inline Heat_flow flow_between_elements(const Surfels& surfels)
 {
-  using Index_map = typename Pointer_property_map<Point_3>::const_type;
-  using Traits = Search_traits_adapter<std::size_t, Index_map, Search_traits_3<Kernel>>;
-  using Search = Orthogonal_k_neighbor_search<Traits>;
-  constexpr unsigned number_of_neighbours = 8;
-
-  const Index_map map = make_property_map(surfels.positions);
-  const Traits traits(map);
-  typename Search::Tree tree(boost::counting_iterator<std::size_t>(0),
-                             boost::counting_iterator<std::size_t>(surfels.size()),
-                             typename Search::Splitter(), traits);
-  tree.build();
+  constexpr std::size_t number_of_neighbours = 8;
   Heat_flow::Links links(surfels.size());
-  std::vector<std::size_t> neighbours;
+  if(surfels.empty())
+    return Heat_flow(surfels.areas, std::move(links));
+  const Point_neighbours neighbours(surfels.positions);
+  std::vector<Point_neighbours::Neighbour> found;
   for(std::size_t i = 0; i < surfels.size(); ++i) {
-    Search search(tree, surfels.positions[i], number_of_neighbours + 1, 0, true,
-                  typename Search::Distance(map));
-    neighbours.clear();
+    neighbours.find(i, number_of_neighbours, found);
     double squared_distances = 0;
-    for(const auto& [j, squared] : search)
-      if(j != i && surfels.normals[i] * surfels.normals[j] > 0) {
-        neighbours.push_back(j);
-        squared_distances += squared;
-      }
+    for(const Point_neighbours::Neighbour& neighbour : found)
+      if(surfels.normals[i] * surfels.normals[neighbour.index] > 0)
+        squared_distances += neighbour.squared_distance;
+    if(!(squared_distances > 0))
+      continue;
     // Half from either end, as links go both ways.
-    if(squared_distances > 0)
-      for(std::size_t j : neighbours)
-        links.add(i, j, 2 * surfels.areas[i] / squared_distances);
+    for(const Point_neighbours::Neighbour& neighbour : found)
+      if(surfels.normals[i] * surfels.normals[neighbour.index] > 0)
+        links.add(i, neighbour.index, 2 * surfels.areas[i] / squared_distances);
   }
   return Heat_flow(surfels.areas, std::move(links));
 }

@@ -141,13 +141,10 @@ Voted_region neighbourhood_region(const Interior_votes& votes, const Grid_3& gri
         const std::int8_t* const row = layers.votes(j, k);
         layers.sum_neighbours(j, k, sums);
         runs.clear();
-        // Where all directions agree there is no doubt.
+        // Where all directions agree on the inside there is no doubt.
         sum += append_chosen(
             row, grid.size()[0],
-            [&](std::int32_t i) {
-              return row[i] == 6 || (row[i] > 0 && sums[std::size_t(i)] >= enough);
-            },
-            runs);
+            [&](std::int32_t i) { return row[i] == 6 || sums[std::size_t(i)] >= enough; }, runs);
         slab.append_row(runs);
       }
   });

@@ -25,20 +25,24 @@ Json to_json(const Spread& s)
   return {{"median", s.median}, {"minimum", s.minimum}, {"maximum", s.maximum}};
 }
 
+bool is_timed(const Row& row)
+{
+  return row.repetitions > 0;
+}
+
 Json to_json(const Row& row)
 {
-  Json json{{"group", row.group},
-            {"comparison", row.comparison},
-            {"name", row.name},
-            {"is_baseline", row.is_baseline},
-            {"parameters", Json::object()},
-            {"wall_seconds", to_json(row.wall)},
-            {"cpu_seconds", to_json(row.cpu)},
-            {"ratio", to_json(row.ratio)},
-            {"ratio_of", row.is_wall_ratio ? "wall" : "cpu"},
-            {"repetitions", row.repetitions},
-            {"calls", row.calls},
-            {"measures", Json::object()}};
+  Json json{{"group", row.group}, {"comparison", row.comparison}, {"name", row.name}};
+  if(is_timed(row))
+    json.update({{"is_baseline", row.is_baseline},
+                 {"wall_seconds", to_json(row.wall)},
+                 {"cpu_seconds", to_json(row.cpu)},
+                 {"ratio", to_json(row.ratio)},
+                 {"ratio_of", row.is_wall_ratio ? "wall" : "cpu"},
+                 {"repetitions", row.repetitions},
+                 {"calls", row.calls}});
+  json["parameters"] = Json::object();
+  json["measures"] = Json::object();
   for(const auto& [name, value] : row.parameters)
     json["parameters"][name] = value;
   for(const auto& [name, value] : row.measures)
@@ -126,12 +130,8 @@ std::string cell(const Pairs& pairs, const std::string& name, ToText&& to_text)
   return "";
 }
 
-Line line(const Row& row, const std::vector<std::string>& parameters,
-          const std::vector<std::string>& measures)
+void append_times(const Row& row, Line& cells)
 {
-  Line cells{row.name};
-  for(const std::string& name : parameters)
-    cells.push_back(cell(row.parameters, name, parameter_text));
   const Spread& time = row.is_wall_ratio ? row.wall : row.cpu;
   cells.push_back(time_text(row.cpu.median));
   cells.push_back(time_text(row.wall.median));
@@ -139,6 +139,16 @@ Line line(const Row& row, const std::vector<std::string>& parameters,
                       ? number_text(50 * (time.maximum - time.minimum) / time.median) + " %"
                       : "");
   cells.push_back(row.is_baseline ? "1" : number_text(row.ratio.median));
+}
+
+Line line(const Row& row, const std::vector<std::string>& parameters,
+          const std::vector<std::string>& measures)
+{
+  Line cells{row.name};
+  for(const std::string& name : parameters)
+    cells.push_back(cell(row.parameters, name, parameter_text));
+  if(is_timed(row))
+    append_times(row, cells);
   for(const std::string& name : measures)
     cells.push_back(
         cell(row.measures, name, [&name](double value) { return measure_text(name, value); }));
@@ -205,7 +215,9 @@ void print_table(const std::vector<Row>& comparison, std::ostream& out)
   const std::vector<std::string> measures = names_of_measures(comparison);
   Line head{""};
   head.insert(head.end(), parameters.begin(), parameters.end());
-  head.insert(head.end(), {"cpu", "wall", "+-", first.is_wall_ratio ? "wall ratio" : "cpu ratio"});
+  if(is_timed(first))
+    head.insert(head.end(),
+                {"cpu", "wall", "+-", first.is_wall_ratio ? "wall ratio" : "cpu ratio"});
   head.insert(head.end(), measures.begin(), measures.end());
   std::vector<Line> lines{head};
   for(const Row& row : comparison)

@@ -40,7 +40,7 @@ struct Row
   bool is_wall_ratio = false;  ///< of which of the two times `ratio` is
   Spread wall, cpu;            ///< seconds
   Spread ratio;                ///< time of the baseline / time of this, both of the same repetition
-  std::size_t repetitions = 0; ///< over which the spreads are
+  std::size_t repetitions = 0; ///< over which the spreads are; 0: no time was taken
   std::size_t calls = 1;       ///< of the work in each repetition
   /// What else was found. `…error` is a fraction, `…memory` a number of bytes, anything else a number.
   std::vector<std::pair<std::string, double>> measures;

@@ -1,0 +1,34 @@
+// Copyright (c) 2026 The Area Projection Transform authors.
+//
+// This file is part of the Area_projection_transform package.
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#ifndef AREA_PROJECTION_PAPER_FIGURES_H
+#define AREA_PROJECTION_PAPER_FIGURES_H
+
+#include "benchmark_report.h"
+#include "experiment.h"
+
+namespace Paper {
+
+// Each prints tables and adds their rows to the report.
+
+/// half of the faces removed, and noise: two scales and the joint map.
+void figure_1(const Options& options, Benchmarks::Report& report);
+
+/// a sphere with bumps much smaller than its radius, and its value at the centre.
+void figure_4(const Options& options, Benchmarks::Report& report);
+
+/// a scan with holes: three scales and the joint map.
+void figure_7(const Options& options, Benchmarks::Report& report);
+
+/// flat objects at several scales.
+void figure_8(const Options& options, Benchmarks::Report& report);
+
+/// everything against the amount of damage.
+void robustness_curves(const Options& options, Benchmarks::Report& report);
+
+} // namespace Paper
+
+#endif // AREA_PROJECTION_PAPER_FIGURES_H

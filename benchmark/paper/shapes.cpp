@@ -1,0 +1,147 @@
+// Copyright (c) 2026 The Area Projection Transform authors.
+//
+// This file is part of the Area_projection_transform package.
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#include "shapes.h"
+
+#include <algorithm>
+#include <cmath>
+#include <map>
+#include <utility>
+
+namespace Paper {
+
+namespace {
+
+constexpr double pi = 3.14159265358979323846;
+
+Point_3 on_sphere(const Point_3& p)
+{
+  const Vector_3 v = p - CGAL::ORIGIN;
+  return CGAL::ORIGIN + v / std::sqrt(v.squared_length());
+}
+
+Soup icosahedron()
+{
+  const double g = (1 + std::sqrt(5.)) / 2;
+  Soup soup{{{-1, g, 0},
+             {1, g, 0},
+             {-1, -g, 0},
+             {1, -g, 0},
+             {0, -1, g},
+             {0, 1, g},
+             {0, -1, -g},
+             {0, 1, -g},
+             {g, 0, -1},
+             {g, 0, 1},
+             {-g, 0, -1},
+             {-g, 0, 1}},
+            {{0, 11, 5},  {0, 5, 1},  {0, 1, 7},  {0, 7, 10}, {0, 10, 11}, {1, 5, 9}, {5, 11, 4},
+             {11, 10, 2}, {10, 7, 6}, {7, 1, 8},  {3, 9, 4},  {3, 4, 2},   {3, 2, 6}, {3, 6, 8},
+             {3, 8, 9},   {4, 9, 5},  {2, 4, 11}, {6, 2, 10}, {8, 6, 7},   {9, 8, 1}}};
+  for(Point_3& p : soup.points)
+    p = on_sphere(p);
+  return soup;
+}
+
+/// divides each face into four, with the middles of the edges on the sphere.
+Soup divided(const Soup& soup)
+{
+  Soup fine;
+  fine.points = soup.points;
+  std::map<std::pair<std::uint32_t, std::uint32_t>, std::uint32_t> middles;
+  const auto middle = [&](std::uint32_t a, std::uint32_t b) {
+    const auto [place, is_new] =
+        middles.emplace(std::minmax(a, b), std::uint32_t(fine.points.size()));
+    if(is_new)
+      fine.points.push_back(on_sphere(CGAL::midpoint(soup.points[a], soup.points[b])));
+    return place->second;
+  };
+  for(const auto& [a, b, c] : soup.triangles) {
+    const std::uint32_t d = middle(a, b), e = middle(b, c), f = middle(c, a);
+    for(const Soup::Triangle& t : {Soup::Triangle{a, d, f}, Soup::Triangle{d, b, e},
+                                   Soup::Triangle{f, e, c}, Soup::Triangle{d, e, f}})
+      fine.triangles.push_back(t);
+  }
+  return fine;
+}
+
+} // namespace
+
+Soup icosphere(int levels)
+{
+  Soup soup = icosahedron();
+  for(int level = 0; level < levels; ++level)
+    soup = divided(soup);
+  return soup;
+}
+
+std::vector<Vector_3> even_directions(std::size_t number)
+{
+  const double turn = pi * (3 - std::sqrt(5.)); // the golden angle
+  std::vector<Vector_3> directions;
+  for(std::size_t i = 0; i < number; ++i) {
+    const double z = 1 - (2 * double(i) + 1) / double(number), r = std::sqrt(1 - z * z);
+    directions.emplace_back(r * std::cos(turn * double(i)), r * std::sin(turn * double(i)), z);
+  }
+  return directions;
+}
+
+double Bumps::width() const
+{
+  return 1.9 / std::sqrt(double(number));
+}
+
+Soup bumpy_sphere(const Bumps& bumps, int levels)
+{
+  const std::vector<Vector_3> centres = even_directions(bumps.number);
+  const double width = bumps.width();
+  Soup soup = icosphere(levels);
+  for(Point_3& p : soup.points) {
+    const Vector_3 direction = p - CGAL::ORIGIN;
+    double nearest = -1; // as a cosine
+    for(const Vector_3& centre : centres)
+      nearest = std::max(nearest, direction * centre);
+    const double angle = std::acos(std::min(nearest, 1.));
+    const double height = std::sqrt(std::max(width * width - angle * angle, 0.));
+    p = p + bumps.amplitude * height * direction;
+  }
+  return soup;
+}
+
+Soup box(const std::array<int, 3>& sides, double spacing)
+{
+  Soup soup;
+  std::map<std::array<int, 3>, std::uint32_t> known;
+  const auto point = [&](const std::array<int, 3>& p) {
+    const auto [place, is_new] = known.emplace(p, std::uint32_t(soup.points.size()));
+    if(is_new)
+      soup.points.emplace_back(spacing * p[0], spacing * p[1], spacing * p[2]);
+    return place->second;
+  };
+  for(std::size_t axis = 0; axis < 3; ++axis) {
+    const std::size_t u = (axis + 1) % 3, v = (axis + 2) % 3;
+    for(int end : {0, sides[axis]})
+      for(int i = 0; i < sides[u]; ++i)
+        for(int j = 0; j < sides[v]; ++j) {
+          const auto corner = [&](int right, int up) {
+            std::array<int, 3> p;
+            p[axis] = end;
+            p[u] = i + right;
+            p[v] = j + up;
+            return point(p);
+          };
+          std::array<std::uint32_t, 4> square{corner(0, 0), corner(1, 0), corner(1, 1),
+                                              corner(0, 1)};
+          if(end == 0) // outward
+            std::swap(square[1], square[3]);
+          soup.triangles.push_back({square[0], square[1], square[2]});
+          soup.triangles.push_back({square[0], square[2], square[3]});
+        }
+  }
+  return soup;
+}
+
+} // namespace Paper

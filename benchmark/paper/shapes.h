@@ -1,0 +1,47 @@
+// Copyright (c) 2026 The Area Projection Transform authors.
+//
+// This file is part of the Area_projection_transform package.
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#ifndef AREA_PROJECTION_PAPER_SHAPES_H
+#define AREA_PROJECTION_PAPER_SHAPES_H
+
+#include "damage.h"
+
+#include <array>
+#include <cstddef>
+#include <vector>
+
+namespace Paper {
+
+/// a sphere of radius 1: an icosahedron of which each face is divided into four, `levels` times.
+Soup icosphere(int levels);
+
+/// \brief directions that are spread evenly over the sphere, along a spiral: of `number` the nearest are about
+/// 3.1/√number apart.
+std::vector<Vector_3> even_directions(std::size_t number);
+
+/// bumps on a sphere of radius 1, as wide as half of what is between their centres, in the mean.
+struct Bumps
+{
+  std::size_t number;
+  /// the height of a bump in units of its width, both radii: 1 for half a ball, 0 for none.
+  double amplitude;
+
+  /// the angle between the middle and the rim of a bump.
+  double width() const;
+};
+
+/// \brief a sphere of radius 1 of which each direction is as far out as its bump says: half an ellipsoid on
+/// each of `even_directions()`.
+Soup bumpy_sphere(const Bumps& bumps, int levels);
+
+/// \brief a box with a corner in the origin, whose sides are given in units of the spacing of its points.
+///
+/// It has many faces, so that normals which are interpolated differ from those of the faces near edges only.
+Soup box(const std::array<int, 3>& sides, double spacing);
+
+} // namespace Paper
+
+#endif // AREA_PROJECTION_PAPER_SHAPES_H

@@ -178,9 +178,14 @@ Spread spread(std::vector<double> values)
   return {0.5 * (values[(n - 1) / 2] + values[n / 2]), values.front(), values.back()};
 }
 
-Report::Report(const std::string& effort)
-    : m_json{{"format", 1},          {"effort", effort},       {"date", date()},
-             {"machine", machine()}, {"software", software()}, {"groups", Json::array()},
+Report::Report(const std::string& effort, const std::string& page)
+    : m_json{{"format", 1},
+             {"page", page},
+             {"effort", effort},
+             {"date", date()},
+             {"machine", machine()},
+             {"software", software()},
+             {"groups", Json::array()},
              {"rows", Json::array()}}
 {}
 

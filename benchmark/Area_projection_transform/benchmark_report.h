@@ -51,7 +51,8 @@ class Report
 {
 public:
   /// \param effort "full", "quick" or "smoke"
-  explicit Report(const std::string& effort);
+  /// \param page what scripts/plot-benchmarks makes of it: "benchmark" or "paper"
+  explicit Report(const std::string& effort, const std::string& page = "benchmark");
 
   void add_group(const std::string& name, const std::string& description);
   void add(const std::vector<Row>& comparison);

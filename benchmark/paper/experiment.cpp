@@ -13,22 +13,36 @@
 #include <cmath>
 #include <filesystem>
 #include <iostream>
+#include <numeric>
 
 namespace Paper {
 
 namespace {
 
 constexpr std::size_t number_of_maxima = 10;
-constexpr std::size_t number_of_holes = 12;
+constexpr std::size_t number_of_holes = 30;
 
-double median(const std::vector<double>& values)
+double mean_of(const std::vector<double>& values)
 {
-  return Benchmarks::spread(values).median;
+  return std::accumulate(values.begin(), values.end(), 0.) / double(values.size());
 }
 
-/// medians over the maxima that are found; none if none is.
-void append_medians(const std::vector<Maximum_change>& changes, const Damaged& damaged,
-                    Measures& measures)
+/// the mean of a binomial distribution of six, as a fraction of six, of the values that are at least three.
+double mean_coverage(double p)
+{
+  constexpr double binomials[] = {20, 15, 6, 1}; // 6 over 3, 4, 5 and 6
+  double weights = 0, sum = 0;
+  for(int k = 3; k <= 6; ++k) {
+    const double weight = binomials[k - 3] * std::pow(p, k) * std::pow(1 - p, 6 - k);
+    weights += weight;
+    sum += weight * k / 6;
+  }
+  return sum / weights;
+}
+
+/// means over the maxima that are found; none if none is.
+void append_means(const std::vector<Maximum_change>& changes, const Damaged& damaged,
+                  Measures& measures)
 {
   std::vector<double> displacements, across, scores, values;
   for(const Maximum_change& c : changes)
@@ -41,13 +55,14 @@ void append_medians(const std::vector<Maximum_change>& changes, const Damaged& d
   if(displacements.empty())
     return;
   measures.insert(measures.end(),
-                  {{"displacement", median(displacements)},
-                   {"across", median(across)},
+                  {{"displacement", mean_of(displacements)},
+                   {"across", mean_of(across)},
                    {"farthest across", *std::max_element(across.begin(), across.end())},
-                   {"clean value there", median(values)},
-                   {"score", median(scores)},
-                   {"score / coverage", median(scores) / damaged.coverage},
-                   {"score / area", median(scores) / damaged.area_ratio}});
+                   {"clean value there", mean_of(values)},
+                   {"score", mean_of(scores)},
+                   {"score / coverage", mean_of(scores) / damaged.coverage},
+                   {"score / fraction", mean_of(scores) / damaged.fraction},
+                   {"score / area", mean_of(scores) / damaged.area_ratio}});
 }
 
 } // namespace
@@ -120,12 +135,23 @@ Damage noise(double ratio)
           [ratio](const Soup& soup, std::uint64_t seed) { return add_noise(soup, ratio, seed); }};
 }
 
+double fraction_from_coverage(double coverage)
+{
+  double low = 1e-6, high = 1;
+  for(int step = 0; step < 40; ++step) {
+    const double middle = 0.5 * (low + high);
+    (mean_coverage(middle) < coverage ? low : high) = middle;
+  }
+  return high;
+}
+
 Damaged apply(const Damage& damage, const Subject& subject, std::uint64_t seed)
 {
-  Damaged damaged{damage.apply(subject.soup(), seed), 0, 0, {}};
+  Damaged damaged{damage.apply(subject.soup(), seed), 0, 0, 0, {}};
   damaged.area_ratio = area(damaged.soup) / area(subject.soup());
   const Inside own = inside(damaged.soup, subject.region()->grid());
   damaged.coverage = own.coverage;
+  damaged.fraction = fraction_from_coverage(own.coverage);
   damaged.interior = compare(*subject.region(), *own.region);
   return damaged;
 }
@@ -148,6 +174,7 @@ Measures measure_maps(const Maps& clean, const Maps& other, const Damaged& damag
           {"largest R error", scales.back().relative_rms},
           {"joint error", joint(1).relative_rms},
           {"/ coverage error", joint(1 / damaged.coverage).relative_rms},
+          {"/ fraction error", joint(1 / damaged.fraction).relative_rms},
           {"/ area error", joint(1 / damaged.area_ratio).relative_rms}};
 }
 
@@ -158,7 +185,7 @@ Measures measure_maxima(const Maps& clean, const Maps& other, const Damaged& dam
   Measures measures{{"maxima", double(changes.size())},
                     {"lost", double(std::count_if(changes.begin(), changes.end(),
                                                   [](const auto& c) { return c.is_lost; }))}};
-  append_medians(changes, damaged, measures);
+  append_means(changes, damaged, measures);
   return measures;
 }
 
@@ -166,6 +193,7 @@ Measures measure_interior(const Damaged& damaged)
 {
   return {{"area", damaged.area_ratio},
           {"coverage", damaged.coverage},
+          {"fraction", damaged.fraction},
           {"interior found", damaged.interior.found},
           {"interior wrong", damaged.interior.wrong}};
 }

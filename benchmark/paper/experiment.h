@@ -93,18 +93,27 @@ struct Damaged
   Soup soup;
   double area_ratio; ///< its area, relative to that of the whole surface
   double coverage;   ///< what its own interior sees of it
+  double fraction;   ///< what is left of it, as the coverage tells (see `fraction_from_coverage()`)
   Region_agreement interior;
 };
+
+/// \brief the fraction of a surface that is left, if parts are missing at random, from the coverage of its interior.
+///
+/// A voxel counts as inside only if at least three of its six rays see the surface. So the mean of those that
+/// count is too large: if each ray sees it with the probability p, it is that of a binomial distribution
+/// without its values 0, 1 and 2. This is undone.
+double fraction_from_coverage(double coverage);
 
 Damaged apply(const Damage& damage, const Subject& subject, std::uint64_t seed);
 
 using Measures = std::vector<std::pair<std::string, double>>;
 
 /// \brief what is found of the clean maps in those of the damaged surface: correlations, and relative RMS
-/// differences without compensation for the area that is missing, divided by the coverage, and by the ratio of areas.
+/// differences: without compensation for the area that is missing, divided by the coverage, by the fraction that the
+/// coverage tells, and by the ratio of the areas.
 Measures measure_maps(const Maps& clean, const Maps& other, const Damaged& damaged);
 
-/// \brief what became of the ten strongest maxima of the joint map: medians over those that are found.
+/// \brief what became of the ten strongest maxima of the joint map: means over those that are found.
 Measures measure_maxima(const Maps& clean, const Maps& other, const Damaged& damaged);
 
 /// what is known of the surface alone.

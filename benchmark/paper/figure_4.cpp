@@ -33,7 +33,7 @@ std::vector<Benchmarks::Row> compare_modes(const Bumps& bumps, int levels)
     rows.push_back(row("figure 4", "bumpy sphere", mode, parameters,
                        {{"smooth sphere", of_smooth},
                         {"bumpy sphere", of_bumpy},
-                        {"ratio", of_bumpy / of_smooth},
+                        {"relative value", of_bumpy / of_smooth},
                         {"middle of a bump", value_at(mode, bumpy, bump, scale_of(bumps.width()))},
                         {"area", area(bumpy) / area(smooth)}}));
   }

@@ -23,8 +23,10 @@ struct Flat_object
   std::array<int, 3> sides; // in 64ths; the last is the shortest
 };
 
-constexpr Flat_object objects[] = {
-    {"plate", {{64, 64, 8}}}, {"beam", {{64, 16, 16}}}, {"box", {{64, 32, 16}}}, {"cube", {{64, 64, 64}}}};
+constexpr Flat_object objects[] = {{"plate", {{64, 64, 8}}},
+                                   {"beam", {{64, 16, 16}}},
+                                   {"box", {{64, 32, 16}}},
+                                   {"cube", {{64, 64, 64}}}};
 
 /// \brief of how many walls points have the distance R, at most, where no wall is farther than its opposite.
 ///

@@ -68,7 +68,7 @@ bool write(const nlohmann::ordered_json& json, const std::string& name)
 
 bool run(Arguments& arguments)
 {
-  Benchmarks::Report report(arguments.options.is_quick ? "quick" : "full");
+  Benchmarks::Report report(arguments.options.is_quick ? "quick" : "full", "paper");
   report.print_header(std::cout);
   for(const Figure& figure : figures)
     if(arguments.figures.empty() ||

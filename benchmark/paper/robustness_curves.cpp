@@ -7,6 +7,8 @@
 #include "figures.h"
 #include "normals_modes.h"
 
+#include <vector>
+
 namespace Paper {
 
 namespace {
@@ -32,81 +34,122 @@ std::vector<Ladder> ladders(const Options& options)
            options.pick<std::vector<double>>({0, 0.2}, {0, 0.05, 0.1, 0.2, 0.3, 0.4, 0.5})}};
 }
 
-/// what is measured of one mode at one amount, of each mesh the mean over some seeds.
-Measures measure(Subject& subject, const std::string& mode, const std::vector<Damaged>& damaged)
-{
-  std::vector<Measures> all;
-  for(const Damaged& d : damaged) {
-    const Maps maps = compute_maps(mode, d.soup, subject.region(), subject.scales());
-    Measures measures = measure_maps(subject.maps(mode), maps, d);
-    for(const Measures& more : {measure_maxima(subject.maps(mode), maps, d), measure_interior(d)})
-      measures.insert(measures.end(), more.begin(), more.end());
-    all.push_back(std::move(measures));
-  }
-  return mean(all);
-}
-
-double value_of(const Measures& measures, const std::string& name)
-{
-  for(const auto& [key, value] : measures)
-    if(key == name)
-      return value;
-  throw std::invalid_argument("nothing of the name " + name + " is measured");
-}
-
-/// the rows of an amount: of each mesh, their mean, and the mean by the way of compensation.
-class Ladder_rows
+/// the tables of one kind of damage.
+class Ladder_tables
 {
 public:
-  explicit Ladder_rows(std::string ladder) : m_ladder(std::move(ladder)) {}
+  explicit Ladder_tables(const std::string& ladder)
+      : m_tables{{ladder + ": maps", {}, {}},
+                 {ladder + ": maxima", {}, {}},
+                 {ladder + ": interior", {}, {}}}
+  {}
 
-  void add(const std::string& mode, double amount, const std::vector<Subject>& subjects,
-           const std::vector<Measures>& measures)
+  /// \param measures of each of the subjects
+  void add_maps(const std::string& mode, double amount, const std::vector<Subject>& subjects,
+                const std::vector<Measures>& measures)
   {
-    for(std::size_t s = 0; s < subjects.size(); ++s)
-      m_each.push_back(row("curves", m_ladder + ", each mesh", mode,
-                           {{"mesh", subjects[s].name()}, {"amount", amount}}, measures[s]));
-    const Measures means = mean(measures);
-    m_means.push_back(row("curves", m_ladder, mode, {{"amount", amount}}, means));
-    for(const auto& [compensation, measure] :
-        {std::pair("none", "joint error"), std::pair("coverage", "/ coverage error"),
-         std::pair("area", "/ area error")})
-      m_compensations.push_back(row("curves", m_ladder + ", compensation", mode,
-                                    {{"compensation", compensation}, {"amount", amount}},
-                                    {{"joint error", value_of(means, measure)}}));
+    add(0, mode, amount, subjects, measures);
+  }
+
+  void add_maxima(const std::string& mode, double amount, const std::vector<Subject>& subjects,
+                  const std::vector<Measures>& measures)
+  {
+    add(1, mode, amount, subjects, measures);
+  }
+
+  void add_interiors(double amount, const std::vector<Subject>& subjects,
+                     const std::vector<Measures>& measures)
+  {
+    add(2, "all", amount, subjects, measures);
   }
 
   void publish(Benchmarks::Report& report) const
   {
-    for(const auto* rows : {&m_means, &m_compensations, &m_each})
-      Paper::publish(*rows, report);
+    for(const Table& table : m_tables)
+      Paper::publish(table.means, report);
+    for(const Table& table : m_tables)
+      Paper::publish(table.each, report);
   }
 
 private:
-  std::string m_ladder;
-  std::vector<Row> m_each, m_means, m_compensations;
+  struct Table
+  {
+    std::string name;
+    std::vector<Row> means, each;
+  };
+
+  void add(std::size_t table, const std::string& name, double amount,
+           const std::vector<Subject>& subjects, const std::vector<Measures>& measures)
+  {
+    Table& t = m_tables[table];
+    t.means.push_back(row("curves", t.name, name, {{"amount", amount}}, mean(measures)));
+    for(std::size_t s = 0; s < subjects.size(); ++s)
+      t.each.push_back(row("curves", t.name + ", each mesh", name,
+                           {{"mesh", subjects[s].name()}, {"amount", amount}}, measures[s]));
+  }
+
+  std::vector<Table> m_tables;
 };
+
+/// of each subject some times the same damage with different seeds.
+using Damaged_subjects = std::vector<std::vector<Damaged>>;
+
+Damaged_subjects damage(const Ladder& ladder, double amount, const Options& options,
+                        const std::vector<Subject>& subjects)
+{
+  const std::uint64_t repetitions = options.pick(1, 3);
+  Damaged_subjects damaged;
+  for(const Subject& subject : subjects) {
+    damaged.emplace_back();
+    for(std::uint64_t r = 0; r < repetitions; ++r)
+      damaged.back().push_back(apply(ladder.damage(amount), subject, options.seed + r));
+  }
+  return damaged;
+}
+
+void add_mode(const std::string& mode, double amount, std::vector<Subject>& subjects,
+              const Damaged_subjects& damaged, Ladder_tables& tables)
+{
+  std::vector<Measures> of_maps, of_maxima;
+  for(std::size_t s = 0; s < subjects.size(); ++s) {
+    const Maps& clean = subjects[s].maps(mode);
+    std::vector<Measures> maps, maxima;
+    for(const Damaged& d : damaged[s]) {
+      const Maps other = compute_maps(mode, d.soup, subjects[s].region(), subjects[s].scales());
+      maps.push_back(measure_maps(clean, other, d));
+      maxima.push_back(measure_maxima(clean, other, d));
+    }
+    of_maps.push_back(mean(maps));
+    of_maxima.push_back(mean(maxima));
+  }
+  tables.add_maps(mode, amount, subjects, of_maps);
+  tables.add_maxima(mode, amount, subjects, of_maxima);
+}
+
+void add_interiors(double amount, const std::vector<Subject>& subjects,
+                   const Damaged_subjects& damaged, Ladder_tables& tables)
+{
+  std::vector<Measures> means;
+  for(const std::vector<Damaged>& of_subject : damaged) {
+    std::vector<Measures> measures;
+    for(const Damaged& d : of_subject)
+      measures.push_back(measure_interior(d));
+    means.push_back(mean(measures));
+  }
+  tables.add_interiors(amount, subjects, means);
+}
 
 void run(const Ladder& ladder, const Options& options, std::vector<Subject>& subjects,
          Benchmarks::Report& report)
 {
-  const std::uint64_t repetitions = options.pick(1, 3);
-  Ladder_rows rows(ladder.name);
+  Ladder_tables tables(ladder.name);
   for(double amount : ladder.amounts) {
-    std::vector<std::vector<Damaged>> damaged;
-    for(const Subject& subject : subjects) {
-      damaged.emplace_back();
-      for(std::uint64_t r = 0; r < repetitions; ++r)
-        damaged.back().push_back(apply(ladder.damage(amount), subject, options.seed + r));
-    }
-    for(const std::string& mode : normals_modes()) {
-      std::vector<Measures> measures;
-      for(std::size_t s = 0; s < subjects.size(); ++s)
-        measures.push_back(measure(subjects[s], mode, damaged[s]));
-      rows.add(mode, amount, subjects, measures);
-    }
+    const Damaged_subjects damaged = damage(ladder, amount, options, subjects);
+    add_interiors(amount, subjects, damaged, tables);
+    for(const std::string& mode : normals_modes())
+      add_mode(mode, amount, subjects, damaged, tables);
   }
-  rows.publish(report);
+  tables.publish(report);
 }
 
 } // namespace
@@ -115,7 +158,7 @@ void robustness_curves(const Options& options, Benchmarks::Report& report)
 {
   report.add_group(
       "curves",
-      "Faces removed at random and in twelve holes, as fractions of their number, and noise in "
+      "Faces removed at random and in thirty holes, as fractions of their number, and noise in "
       "units of the mean length of the edges. Means over the meshes and some seeds.");
   std::vector<Subject> subjects;
   for(Mesh& mesh : read_meshes(options, {"hand.obj", "human_woman.obj", "scorpion_low.obj"}))

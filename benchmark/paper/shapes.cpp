@@ -68,6 +68,53 @@ Soup divided(const Soup& soup)
   return fine;
 }
 
+/// makes the walls of a box out of squares, with common points at the edges.
+class Box_builder
+{
+public:
+  Box_builder(const std::array<int, 3>& sides, double spacing) : m_sides(sides), m_spacing(spacing)
+  {}
+
+  void add_wall(int axis, bool is_far)
+  {
+    const int u = (axis + 1) % 3, v = (axis + 2) % 3;
+    std::array<int, 3> p;
+    p[axis] = is_far ? m_sides[axis] : 0;
+    for(p[u] = 0; p[u] < m_sides[u]; ++p[u])
+      for(p[v] = 0; p[v] < m_sides[v]; ++p[v])
+        add_square(p, is_far ? u : v, is_far ? v : u);
+  }
+
+  const Soup& soup() const { return m_soup; }
+
+private:
+  void add_square(std::array<int, 3> p, int first, int second)
+  {
+    const std::uint32_t a = point(p);
+    ++p[first];
+    const std::uint32_t b = point(p);
+    ++p[second];
+    const std::uint32_t c = point(p);
+    --p[first];
+    const std::uint32_t d = point(p);
+    m_soup.triangles.push_back({a, b, c});
+    m_soup.triangles.push_back({a, c, d});
+  }
+
+  std::uint32_t point(const std::array<int, 3>& p)
+  {
+    const auto [place, is_new] = m_known.emplace(p, std::uint32_t(m_soup.points.size()));
+    if(is_new)
+      m_soup.points.emplace_back(m_spacing * p[0], m_spacing * p[1], m_spacing * p[2]);
+    return place->second;
+  }
+
+  std::array<int, 3> m_sides;
+  double m_spacing;
+  Soup m_soup;
+  std::map<std::array<int, 3>, std::uint32_t> m_known;
+};
+
 } // namespace
 
 Soup icosphere(int levels)
@@ -113,35 +160,11 @@ Soup bumpy_sphere(const Bumps& bumps, int levels)
 
 Soup box(const std::array<int, 3>& sides, double spacing)
 {
-  Soup soup;
-  std::map<std::array<int, 3>, std::uint32_t> known;
-  const auto point = [&](const std::array<int, 3>& p) {
-    const auto [place, is_new] = known.emplace(p, std::uint32_t(soup.points.size()));
-    if(is_new)
-      soup.points.emplace_back(spacing * p[0], spacing * p[1], spacing * p[2]);
-    return place->second;
-  };
-  for(std::size_t axis = 0; axis < 3; ++axis) {
-    const std::size_t u = (axis + 1) % 3, v = (axis + 2) % 3;
-    for(int end : {0, sides[axis]})
-      for(int i = 0; i < sides[u]; ++i)
-        for(int j = 0; j < sides[v]; ++j) {
-          const auto corner = [&](int right, int up) {
-            std::array<int, 3> p;
-            p[axis] = end;
-            p[u] = i + right;
-            p[v] = j + up;
-            return point(p);
-          };
-          std::array<std::uint32_t, 4> square{corner(0, 0), corner(1, 0), corner(1, 1),
-                                              corner(0, 1)};
-          if(end == 0) // outward
-            std::swap(square[1], square[3]);
-          soup.triangles.push_back({square[0], square[1], square[2]});
-          soup.triangles.push_back({square[0], square[2], square[3]});
-        }
-  }
-  return soup;
+  Box_builder builder(sides, spacing);
+  for(int axis = 0; axis < 3; ++axis)
+    for(bool is_far : {false, true})
+      builder.add_wall(axis, is_far);
+  return builder.soup();
 }
 
 } // namespace Paper

@@ -27,19 +27,6 @@ double mean_of(const std::vector<double>& values)
   return std::accumulate(values.begin(), values.end(), 0.) / double(values.size());
 }
 
-/// the mean of a binomial distribution of six, as a fraction of six, of the values that are at least three.
-double mean_coverage(double p)
-{
-  constexpr double binomials[] = {20, 15, 6, 1}; // 6 over 3, 4, 5 and 6
-  double weights = 0, sum = 0;
-  for(int k = 3; k <= 6; ++k) {
-    const double weight = binomials[k - 3] * std::pow(p, k) * std::pow(1 - p, 6 - k);
-    weights += weight;
-    sum += weight * k / 6;
-  }
-  return sum / weights;
-}
-
 /// means over the maxima that are found; none if none is.
 void append_means(const std::vector<Maximum_change>& changes, const Damaged& damaged,
                   Measures& measures)
@@ -133,16 +120,6 @@ Damage noise(double ratio)
 {
   return {"noise", ratio,
           [ratio](const Soup& soup, std::uint64_t seed) { return add_noise(soup, ratio, seed); }};
-}
-
-double fraction_from_coverage(double coverage)
-{
-  double low = 1e-6, high = 1;
-  for(int step = 0; step < 40; ++step) {
-    const double middle = 0.5 * (low + high);
-    (mean_coverage(middle) < coverage ? low : high) = middle;
-  }
-  return high;
 }
 
 Damaged apply(const Damage& damage, const Subject& subject, std::uint64_t seed)

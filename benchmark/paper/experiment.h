@@ -97,13 +97,6 @@ struct Damaged
   Region_agreement interior;
 };
 
-/// \brief the fraction of a surface that is left, if parts are missing at random, from the coverage of its interior.
-///
-/// A voxel counts as inside only if at least three of its six rays see the surface. So the mean of those that
-/// count is too large: if each ray sees it with the probability p, it is that of a binomial distribution
-/// without its values 0, 1 and 2. This is undone.
-double fraction_from_coverage(double coverage);
-
 Damaged apply(const Damage& damage, const Subject& subject, std::uint64_t seed);
 
 using Measures = std::vector<std::pair<std::string, double>>;

@@ -20,7 +20,7 @@ namespace AP = CGAL::Area_projection;
 /// how far a map is from another.
 struct Map_difference
 {
-  /// Pearson's; 0 if a map is constant.
+  /// Pearson's; 0, but for rounding, if a map is constant.
   double correlation = 0;
   /// the root mean square of the difference, relative to that of the clean map.
   double relative_rms = 0;

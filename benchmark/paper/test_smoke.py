@@ -1,0 +1,115 @@
+# Copyright (c) 2026 The Area Projection Transform authors.
+#
+# This file is part of the Area_projection_transform package.
+#
+# SPDX-License-Identifier: GPL-3.0-or-later
+
+"""The experiments of the paper run, say what they are to say, and become a page with curves.
+
+Finds the experiments in the environment variable BENCHMARK and scripts/plot-benchmarks in PLOT.
+"""
+
+import json
+import math
+import os
+import pathlib
+import re
+import subprocess
+import sys
+import tempfile
+import unittest
+import xml.etree.ElementTree
+
+
+def run(*arguments):
+    return subprocess.run(arguments, check=True, capture_output=True, text=True).stdout
+
+
+class Smoke(unittest.TestCase):
+    @classmethod
+    def setUpClass(cls):
+        cls.scratch = tempfile.TemporaryDirectory()
+        cls.folder = pathlib.Path(cls.scratch.name)
+        file = cls.folder / "paper.json"
+        cls.output = run(os.environ["BENCHMARK"], "--quick", "--voxels", "40", "--json", str(file),
+                         "--pictures", str(cls.folder / "pictures"))
+        cls.data = json.loads(file.read_text(encoding="utf-8"))
+
+    @classmethod
+    def tearDownClass(cls):
+        cls.scratch.cleanup()
+
+    def rows(self, group, comparison, **parameters):
+        rows = [row for row in self.data["rows"]
+                if (row["group"], row["comparison"]) == (group, comparison)
+                and parameters.items() <= row["parameters"].items()]
+        self.assertTrue(rows, (group, comparison, parameters))
+        return rows
+
+    def test_every_figure_has_rows(self):
+        groups = [group["name"] for group in self.data["groups"]]
+        self.assertEqual(groups, ["figure 1", "figure 4", "figure 7", "figure 8", "curves"])
+        self.assertEqual({row["group"] for row in self.data["rows"]}, set(groups))
+        for name in groups:
+            self.assertIn(f"\n{name}, ", self.output)
+
+    def test_numbers_are_numbers(self):
+        for row in self.data["rows"]:
+            for value in row["measures"].values():
+                self.assertTrue(math.isfinite(value), row)
+
+    def test_no_damage_is_no_difference(self):
+        for damage in ("faces removed", "holes", "noise"):
+            for row in self.rows("curves", f"{damage}: maps", amount=0):
+                self.assertAlmostEqual(row["measures"]["joint correlation"], 1, 12)
+                self.assertEqual(row["measures"]["joint error"], 0)
+            for row in self.rows("curves", f"{damage}: maxima", amount=0):
+                self.assertEqual(row["measures"]["displacement"], 0)
+
+    def test_maps_are_robust_against_the_loss_of_half_of_the_faces(self):
+        for row in self.rows("figure 1", "maps", damage="faces removed"):
+            self.assertGreater(row["measures"]["joint correlation"], 0.95, row)
+            self.assertLess(row["measures"]["/ area error"], 0.2, row)
+
+    def test_bumps_scatter_the_normals_of_faces(self):
+        for row in self.rows("figure 4", "bumpy sphere", amplitude=0):
+            self.assertAlmostEqual(row["measures"]["relative value"], 1, 3)
+        for row in self.rows("figure 4", "bumpy sphere", amplitude=1):
+            if row["name"] in ("face", "interpolated"):
+                self.assertLess(row["measures"]["relative value"], 0.5, row)
+
+    def test_walls_count(self):
+        walls = [row for row in self.data["rows"]
+                 if "walls" in row["measures"] and row["name"] == "face"]
+        self.assertTrue(walls)
+        for row in walls:
+            self.assertAlmostEqual(row["measures"]["in walls"], row["measures"]["walls"], delta=0.25)
+
+    def test_pictures_are_written(self):
+        pictures = list((self.folder / "pictures").iterdir())
+        self.assertTrue(pictures)
+        for picture in pictures:
+            self.assertEqual(picture.read_bytes()[:8], b"\x89PNG\r\n\x1a\n")
+
+    def test_the_seed_decides(self):
+        def numbers(seed):
+            file = self.folder / "again.json"
+            run(os.environ["BENCHMARK"], "--quick", "--voxels", "20", "--figure", "7", "--seed", seed,
+                "--json", str(file))
+            return json.loads(file.read_text(encoding="utf-8"))["rows"]
+        self.assertEqual(numbers("3"), numbers("3"))
+        self.assertNotEqual(numbers("3"), numbers("4"))
+
+    def test_page_shows_all_curves(self):
+        folder = self.folder / "page"
+        run(sys.executable, "-B", os.environ["PLOT"], str(self.folder / "paper.json"), str(folder))
+        page = (folder / "paper.md").read_text(encoding="utf-8")
+        shown = set(re.findall(r"\]\((fig/.*?\.svg)\)", page))
+        self.assertEqual(shown, {f"fig/{figure.name}" for figure in (folder / "fig").iterdir()})
+        self.assertEqual(len(shown), 13)
+        for figure in shown:
+            xml.etree.ElementTree.parse(folder / figure)
+
+
+if __name__ == "__main__":
+    unittest.main()

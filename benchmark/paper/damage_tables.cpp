@@ -46,7 +46,7 @@ void add_scales(const std::string& group, const Parameters& parameters, const st
   for(std::size_t k : shown) {
     const Map_difference d = compare(region, clean.scales[k], other.scales[k]);
     Parameters own = parameters;
-    own.emplace_back("R in voxels", clean.joint.scales()[k].radius / region.grid().spacing());
+    own.emplace_back("R in voxels", radius_in_voxels(clean.joint, k));
     tables.scales.push_back(
         row(group, "scales", mode, own,
             {{"correlation", d.correlation}, {"relative RMS error", d.relative_rms}}));

@@ -102,6 +102,11 @@ std::vector<double> descriptor_radii()
   return {2, 3, 4, 5, 6, 7, 8, 9};
 }
 
+double radius_in_voxels(const AP::Joint_map& map, std::size_t scale)
+{
+  return 1e-6 * std::round(1e6 * map.scales()[scale].radius / map.grid().spacing());
+}
+
 Damage removed_faces(double fraction)
 {
   return {"faces removed", fraction, [fraction](const Soup& soup, std::uint64_t seed) {
@@ -219,10 +224,8 @@ void write_pictures(const Options& options, const std::string& stem, const Maps&
     return;
   std::filesystem::create_directories(options.pictures);
   const std::string begin = options.pictures + "/" + stem + "_";
-  const double spacing = maps.joint.grid().spacing();
   for(std::size_t k : scales)
-    write_picture_of_scale(begin + "R" + mapt::to_text(maps.joint.scales()[k].radius / spacing, 3) +
-                               ".png",
+    write_picture_of_scale(begin + "R" + mapt::to_text(radius_in_voxels(maps.joint, k)) + ".png",
                            maps, k, silhouette);
   write_picture_of_joint_map(begin + "joint.png", maps, silhouette);
 }

@@ -75,6 +75,9 @@ private:
 /// the radii of the paper's descriptor, in voxels: 2, 3, …, 9.
 std::vector<double> descriptor_radii();
 
+/// the radius of a scale in voxels, without the rounding of lengths.
+double radius_in_voxels(const AP::Joint_map& map, std::size_t scale);
+
 /// something that is done to a surface; the same seed does the same.
 struct Damage
 {

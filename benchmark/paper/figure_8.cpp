@@ -54,12 +54,10 @@ void add_rows(Subject& subject, const Flat_object* object, std::vector<Benchmark
 {
   for(const std::string& mode : normals_modes())
     for(std::size_t k = 0; k < subject.scales().size(); ++k) {
-      const double spacing = subject.region()->grid().spacing();
-      const double radius = subject.scales()[k].radius / spacing;
       Benchmarks::Parameters parameters = subject.parameters();
-      parameters.emplace_back("R in voxels", radius);
+      parameters.emplace_back("R in voxels", radius_in_voxels(subject.maps(mode).joint, k));
       Measures measures = measure(*subject.region(), subject.maps(mode).scales[k]);
-      const double in_64ths = 64 * spacing * radius;
+      const double in_64ths = 64 * subject.scales()[k].radius;
       if(object && 2 * in_64ths <= object->sides[2] + 1e-9)
         measures.emplace_back("walls", most_walls(*object, in_64ths));
       rows.push_back(row("figure 8", "scales of " + subject.name(), mode, parameters, measures));

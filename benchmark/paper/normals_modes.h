@@ -9,7 +9,10 @@
 
 #include "damage.h"
 
+#include <CGAL/Area_projection_transform/scale_space/Averaged_normals.h>
 #include <CGAL/Area_projection_transform/scale_space/Constant_scale_space.h>
+#include <CGAL/Area_projection_transform/scale_space/Mean_curvature_flow.h>
+#include <CGAL/Area_projection_transform/scale_space/Smoothing_scale_space.h>
 #include <CGAL/Area_projection_transform/surfels_from_mesh.h>
 
 #include <stdexcept>
@@ -25,7 +28,7 @@ namespace AP = CGAL::Area_projection;
 
 inline const std::vector<std::string>& normals_modes()
 {
-  static const std::vector<std::string> names{"face", "interpolated"};
+  static const std::vector<std::string> names{"face", "interpolated", "averaged", "smoothed"};
   return names;
 }
 
@@ -38,6 +41,10 @@ auto with_scale_space(const std::string& mode, const Soup& soup, Function&& func
       AP::parameters::use_interpolated_normals(mode == "interpolated"));
   if(mode == "face" || mode == "interpolated")
     return function(AP::Constant_scale_space(surface));
+  if(mode == "averaged")
+    return function(AP::Smoothing_scale_space(AP::Averaged_normals(surface)));
+  if(mode == "smoothed")
+    return function(AP::Smoothing_scale_space(AP::Mean_curvature_flow(surface)));
   throw std::invalid_argument("mode is " + mode + ": there are no such normals");
 }
 

@@ -60,6 +60,8 @@ std::vector<Mesh> read_meshes(const Options& options, const std::vector<std::str
   if(files.empty())
     for(const std::string& name : bundled)
       files.push_back(AREA_PROJECTION_TRANSFORM_DATA "/" + name);
+  if(options.meshes.empty() && options.is_quick && !files.empty())
+    files.resize(1);
   std::vector<Mesh> meshes;
   for(const std::string& file : files) {
     const mapt::Input input = mapt::read_input(file);

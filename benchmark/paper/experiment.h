@@ -43,7 +43,8 @@ struct Mesh
   Soup soup;
 };
 
-/// reads the meshes of the options, or the bundled ones of these names.
+/// reads the meshes of the options, or the bundled ones of these names, only the first of them if it has to
+/// be quick.
 /// \throw Input_error if one cannot be read.
 std::vector<Mesh> read_meshes(const Options& options, const std::vector<std::string>& bundled);
 

@@ -20,8 +20,10 @@ AP::Scale scale_of(double radius)
 /// the value at the centre of the sphere at its radius, and in the middle of a bump at that of the bump.
 std::vector<Benchmarks::Row> compare_modes(const Bumps& bumps, int levels)
 {
-  const Soup smooth = icosphere(levels), bumpy = bumpy_sphere(bumps, levels);
-  const Point_3 centre = CGAL::ORIGIN, bump = centre + even_directions(bumps.number)[0];
+  const Soup smooth = icosphere(levels);
+  const auto [bumpy, radius] = bumpy_sphere(bumps, levels);
+  const Point_3 centre = CGAL::ORIGIN, bump = centre + radius * even_directions(bumps.number)[0];
+  const AP::Scale scale_of_bump = scale_of(radius * bumps.width());
   const Benchmarks::Parameters parameters{{"faces", bumpy.triangles.size()},
                                           {"bumps", bumps.number},
                                           {"width", bumps.width()},
@@ -34,7 +36,7 @@ std::vector<Benchmarks::Row> compare_modes(const Bumps& bumps, int levels)
                        {{"smooth sphere", of_smooth},
                         {"bumpy sphere", of_bumpy},
                         {"relative value", of_bumpy / of_smooth},
-                        {"middle of a bump", value_at(mode, bumpy, bump, scale_of(bumps.width()))},
+                        {"middle of a bump", value_at(mode, bumpy, bump, scale_of_bump)},
                         {"area", area(bumpy) / area(smooth)}}));
   }
   return rows;
@@ -46,7 +48,8 @@ void figure_4(const Options& options, Benchmarks::Report& report)
 {
   report.add_group(
       "figure 4",
-      "A sphere of radius 1 with bumps. At its centre the smooth sphere has the value 1 at R = 1; "
+      "A sphere with bumps that approximates one of radius 1. At its centre the smooth sphere has "
+      "the value 1 at R = 1; "
       "with the normals of its faces the bumps send most of the area elsewhere, and normals that "
       "are smoothed over more than a bump bring it back. In the middle of a bump that is half a "
       "ball the value at its own radius is about a half.");

@@ -87,7 +87,9 @@ void figure_8(const Options& options, Benchmarks::Report& report)
   const std::vector<double> radii{2, 4, 6, 8, 16};
   if(options.meshes.empty())
     for(const Flat_object& object : objects)
-      show(options, Subject({object.name, box(object.sides, 1 / 64.)}, 64, radii), &object, report);
+      if(!options.is_quick || &object == objects) // the plate alone
+        show(options, Subject({object.name, box(object.sides, 1 / 64.)}, 64, radii), &object,
+             report);
   for(Mesh& mesh : read_meshes(options, {}))
     show(options, Subject(std::move(mesh), options.voxels, radii), nullptr, report);
 }

@@ -68,6 +68,16 @@ Soup divided(const Soup& soup)
   return fine;
 }
 
+/// of what a closed surface encloses.
+double volume(const Soup& soup)
+{
+  const Point_3 origin(0, 0, 0);
+  double sum = 0;
+  for(const auto& [a, b, c] : soup.triangles)
+    sum += CGAL::volume(origin, soup.points[a], soup.points[b], soup.points[c]);
+  return sum;
+}
+
 /// makes the walls of a box out of squares, with common points at the edges.
 class Box_builder
 {
@@ -141,7 +151,7 @@ double Bumps::width() const
   return 1.9 / std::sqrt(double(number));
 }
 
-Soup bumpy_sphere(const Bumps& bumps, int levels)
+Bumpy_sphere bumpy_sphere(const Bumps& bumps, int levels)
 {
   const std::vector<Vector_3> centres = even_directions(bumps.number);
   const double width = bumps.width();
@@ -155,7 +165,10 @@ Soup bumpy_sphere(const Bumps& bumps, int levels)
     const double height = std::sqrt(std::max(width * width - angle * angle, 0.));
     p = p + bumps.amplitude * height * direction;
   }
-  return soup;
+  const double radius = 1 / std::cbrt(volume(soup) / (4. / 3 * pi));
+  for(Point_3& p : soup.points)
+    p = CGAL::ORIGIN + radius * (p - CGAL::ORIGIN);
+  return {std::move(soup), radius};
 }
 
 Soup box(const std::array<int, 3>& sides, double spacing)

@@ -22,20 +22,27 @@ Soup icosphere(int levels);
 /// 3.1/√number apart.
 std::vector<Vector_3> even_directions(std::size_t number);
 
-/// bumps on a sphere of radius 1, as wide as half of what is between their centres, in the mean.
+/// bumps on a sphere, as wide as half of what is between their centres, in the mean.
 struct Bumps
 {
   std::size_t number;
   /// the height of a bump in units of its width, both radii: 1 for half a ball, 0 for none.
   double amplitude;
 
-  /// the angle between the middle and the rim of a bump.
+  /// the radius of a bump, in units of that of the sphere.
   double width() const;
 };
 
-/// \brief a sphere of radius 1 of which each direction is as far out as its bump says: half an ellipsoid on
-/// each of `even_directions()`.
-Soup bumpy_sphere(const Bumps& bumps, int levels);
+struct Bumpy_sphere
+{
+  Soup soup;
+  double radius; ///< of the sphere on which the bumps stand
+};
+
+/// \brief a sphere with half an ellipsoid on each of `even_directions()`.
+///
+/// It has the volume of a ball of radius 1: that is the sphere that it approximates.
+Bumpy_sphere bumpy_sphere(const Bumps& bumps, int levels);
 
 /// \brief a box with a corner in the origin, whose sides are given in units of the spacing of its points.
 ///

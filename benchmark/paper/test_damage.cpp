@@ -86,14 +86,18 @@ TEST(Shapes, have_the_areas_and_edges_that_they_should)
 TEST(Shapes, bumps_are_as_high_as_they_should_be)
 {
   const Bumps bumps{200, 0.5};
+  const auto [soup, radius] = bumpy_sphere(bumps, 5);
   double highest = 0, lowest = 2;
-  for(const Point_3& p : bumpy_sphere(bumps, 5).points) {
+  for(const Point_3& p : soup.points) {
     const double r = std::sqrt((p - CGAL::ORIGIN).squared_length());
     highest = std::max(highest, r);
     lowest = std::min(lowest, r);
   }
-  EXPECT_NEAR(highest, 1 + 0.5 * bumps.width(), 0.02 * bumps.width());
-  EXPECT_NEAR(lowest, 1, 1e-12);
+  EXPECT_NEAR(highest, radius * (1 + 0.5 * bumps.width()), 0.02 * bumps.width());
+  EXPECT_NEAR(lowest, radius, 1e-12);
+  // Bumps that do not overlap would have the mean height of half an ellipsoid, 2/3, on the part n w²/4.
+  EXPECT_NEAR(1 / radius, 1 + 2. / 3 * 0.5 * bumps.width() * 200 * std::pow(bumps.width(), 2) / 4,
+              0.1 * bumps.width());
 }
 
 TEST(Removed_faces, are_as_many_as_asked_for)

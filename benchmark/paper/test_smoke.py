@@ -71,12 +71,20 @@ class Smoke(unittest.TestCase):
             self.assertGreater(row["measures"]["joint correlation"], 0.95, row)
             self.assertLess(row["measures"]["/ area error"], 0.2, row)
 
-    def test_bumps_scatter_the_normals_of_faces(self):
+    def test_smoothing_resists_noise(self):
+        for row in self.rows("curves", "noise: maps", amount=0.2):
+            if row["name"] in ("averaged", "smoothed"):
+                self.assertGreater(row["measures"]["largest R correlation"], 0.98, row)
+                self.assertLess(row["measures"]["largest R error"], 0.1, row)
+
+    def test_bumps_scatter_the_normals_of_faces_and_smoothing_brings_them_back(self):
         for row in self.rows("figure 4", "bumpy sphere", amplitude=0):
             self.assertAlmostEqual(row["measures"]["relative value"], 1, 3)
         for row in self.rows("figure 4", "bumpy sphere", amplitude=1):
             if row["name"] in ("face", "interpolated"):
                 self.assertLess(row["measures"]["relative value"], 0.5, row)
+            else:
+                self.assertAlmostEqual(row["measures"]["relative value"], 1, delta=0.1, msg=row)
 
     def test_walls_count(self):
         walls = [row for row in self.data["rows"]

@@ -65,8 +65,8 @@ Soup remove_random_faces(const Soup& soup, double fraction, std::uint64_t seed);
 
 /// \brief removes a fraction of the faces, rounded to a whole number of them, as `number` holes.
 ///
-/// Holes begin at random faces and grow in turn, each by a random one of the faces that share an edge with it.
-/// They may meet. One that has eaten its part of the surface begins anew elsewhere.
+/// Holes begin at random faces and grow in turn, each by a random one of the faces that share an edge
+/// with it. They may meet. One that has eaten its part of the surface begins anew elsewhere.
 /// \throw std::invalid_argument if `fraction` is not in [0, 1] or `number` is zero.
 Soup remove_holes(const Soup& soup, double fraction, std::size_t number, std::uint64_t seed);
 
@@ -75,7 +75,8 @@ Soup remove_holes(const Soup& soup, double fraction, std::size_t number, std::ui
 Soup add_noise(const Soup& soup, double ratio, std::uint64_t seed);
 /// @}
 
-/// \brief the fraction of a surface that is left, if parts are missing at random, from the coverage of its interior.
+/// \brief the fraction of a surface that is left, if parts are missing at random, from the coverage of
+/// its interior (see `Interior`).
 ///
 /// A voxel counts as inside only if at least three of its six rays see the surface. So the mean of those that
 /// count is too large: if each ray sees it with the probability p, it is that of a binomial distribution

@@ -23,8 +23,8 @@ struct Tables
   std::vector<Row> modes, interiors, maps, scales, maxima;
 };
 
-std::string stem_of_pictures(std::string group, const Subject& subject, const std::string& damage,
-                             const std::string& mode)
+std::string stem_of_pictures(const std::string& group, const Subject& subject,
+                             const std::string& damage, const std::string& mode)
 {
   std::string stem = group + "_" + subject.name() + "_" + damage + "_" + mode;
   std::replace(stem.begin(), stem.end(), ' ', '_');
@@ -53,8 +53,8 @@ void add_scales(const std::string& group, const Parameters& parameters, const st
   }
 }
 
-/// how far the maps of the modes are from each other before anything happens: a mode that is robust because it
-/// shows little of the surface is seen here.
+/// how far the maps of the modes are from each other before anything happens: a mode that is robust
+/// because it shows little of the surface is seen here.
 void add_modes(const std::string& group, Subject& subject, Tables& tables)
 {
   const Maps& face = subject.maps("face");

@@ -52,6 +52,15 @@ void append_means(const std::vector<Maximum_change>& changes, const Damaged& dam
                    {"score / area", mean_of(scores) / damaged.area_ratio}});
 }
 
+/// leaves out what cannot be divided by a coverage that is zero, for want of an interior.
+Measures finite(Measures measures)
+{
+  measures.erase(std::remove_if(measures.begin(), measures.end(),
+                                [](const auto& m) { return !std::isfinite(m.second); }),
+                 measures.end());
+  return measures;
+}
+
 } // namespace
 
 std::vector<Mesh> read_meshes(const Options& options, const std::vector<std::string>& bundled)
@@ -152,14 +161,14 @@ Measures measure_maps(const Maps& clean, const Maps& other, const Damaged& damag
   const auto joint = [&](double factor) {
     return compare(region, clean.joint.values(), other.joint.values(), factor);
   };
-  return {{"joint correlation", joint(1).correlation},
-          {"mean correlation", mean_correlation},
-          {"largest R correlation", scales.back().correlation},
-          {"largest R error", scales.back().relative_rms},
-          {"joint error", joint(1).relative_rms},
-          {"/ coverage error", joint(1 / damaged.coverage).relative_rms},
-          {"/ fraction error", joint(1 / damaged.fraction).relative_rms},
-          {"/ area error", joint(1 / damaged.area_ratio).relative_rms}};
+  return finite({{"joint correlation", joint(1).correlation},
+                 {"mean correlation", mean_correlation},
+                 {"largest R correlation", scales.back().correlation},
+                 {"largest R error", scales.back().relative_rms},
+                 {"joint error", joint(1).relative_rms},
+                 {"/ coverage error", joint(1 / damaged.coverage).relative_rms},
+                 {"/ fraction error", joint(1 / damaged.fraction).relative_rms},
+                 {"/ area error", joint(1 / damaged.area_ratio).relative_rms}});
 }
 
 Measures measure_maxima(const Maps& clean, const Maps& other, const Damaged& damaged)
@@ -170,7 +179,7 @@ Measures measure_maxima(const Maps& clean, const Maps& other, const Damaged& dam
                     {"lost", double(std::count_if(changes.begin(), changes.end(),
                                                   [](const auto& c) { return c.is_lost; }))}};
   append_means(changes, damaged, measures);
-  return measures;
+  return finite(std::move(measures));
 }
 
 Measures measure_interior(const Damaged& damaged)

@@ -106,8 +106,8 @@ Damaged apply(const Damage& damage, const Subject& subject, std::uint64_t seed);
 using Measures = std::vector<std::pair<std::string, double>>;
 
 /// \brief what is found of the clean maps in those of the damaged surface: correlations, and relative RMS
-/// differences: without compensation for the area that is missing, divided by the coverage, by the fraction that the
-/// coverage tells, and by the ratio of the areas.
+/// differences: without compensation for the area that is missing, divided by the coverage, by the
+/// fraction that the coverage tells, and by the ratio of the areas.
 Measures measure_maps(const Maps& clean, const Maps& other, const Damaged& damaged);
 
 /// \brief what became of the ten strongest maxima of the joint map: means over those that are found.

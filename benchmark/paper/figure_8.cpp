@@ -64,7 +64,7 @@ void add_rows(Subject& subject, const Flat_object* object, std::vector<Benchmark
     }
 }
 
-void show(const Options& options, Subject subject, const Flat_object* object,
+void show(const Options& options, Subject&& subject, const Flat_object* object,
           Benchmarks::Report& report)
 {
   std::vector<Benchmarks::Row> rows;

@@ -63,8 +63,8 @@ struct Maximum_change
 /// of the other map that is not taken yet, no farther than twice its radius, and whose radius is that of a
 /// neighbouring scale or differs by less than a quarter.
 ///
-/// The plateau of a maximum are the voxels around it, no farther than its radius, that hang together and have at
-/// least nine tenths of its value. It is free to slide in the directions in which the plateau spreads
+/// The plateau of a maximum is made of the voxels around it, no farther than its radius, that hang
+/// together and have at least nine tenths of its value. It is free to slide in the directions in which the plateau spreads
 /// more than twice as far as in its narrowest: none for a ball, one for a tube, two between plates.
 std::vector<Maximum_change> compare_maxima(const AP::Joint_map& clean, const AP::Joint_map& other,
                                            std::size_t number);

@@ -18,7 +18,7 @@ namespace Paper {
 /// a sphere of radius 1: an icosahedron of which each face is divided into four, `levels` times.
 Soup icosphere(int levels);
 
-/// \brief directions that are spread evenly over the sphere, along a spiral: of `number` the nearest are about
+/// directions that are spread evenly over the sphere, along a spiral: the nearest of `number` are about
 /// 3.1/√number apart.
 std::vector<Vector_3> even_directions(std::size_t number);
 

@@ -107,7 +107,8 @@ void add_values(const AP::Joint_map& map, std::vector<Panel>& panels)
 }
 
 // The outline of a closed surface is that of its interior.
-void add_silhouette(const Surface& surface, const AP::Grid_3& grid, std::vector<Panel>& panels)
+void add_silhouette(const Picture_source& surface, const AP::Grid_3& grid,
+                    std::vector<Panel>& panels)
 {
   const auto cover = [&](const AP::Surfels& batch) {
     for(const AP::Point_3& p : batch.positions) {
@@ -120,7 +121,7 @@ void add_silhouette(const Surface& surface, const AP::Grid_3& grid, std::vector<
     }
   };
   std::visit([&](const auto* source) { source->for_each_batch(0.5 * grid.spacing(), cover); },
-             surface.source());
+             surface);
 }
 
 void draw_colour_bar(Canvas& canvas, int x, int y, int height, double largest)
@@ -142,7 +143,7 @@ void draw_colour_bar(Canvas& canvas, int x, int y, int height, double largest)
 
 } // namespace
 
-void write_picture(const std::string& file, const AP::Joint_map& map, const Surface& surface)
+void write_picture(const std::string& file, const AP::Joint_map& map, const Picture_source& surface)
 {
   const AP::Grid_3& grid = map.grid();
   std::vector<Panel> panels{{front, grid}, {side, grid}, {top, grid}};

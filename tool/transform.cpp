@@ -198,7 +198,7 @@ void write_files(const std::vector<Side_maps>& maps, const Surface& surface,
     outputs.push_back(options.output);
   }
   if(!options.picture.empty()) {
-    write_picture(options.picture, maps.front().joint, surface);
+    write_picture(options.picture, maps.front().joint, surface.source());
     outputs.push_back(options.picture);
   }
 }

@@ -135,19 +135,6 @@ private:
   Random m_random;
 };
 
-/// the mean of a binomial distribution of six, as a fraction of six, of the values that are at least three.
-double mean_coverage(double p)
-{
-  constexpr double binomials[] = {20, 15, 6, 1}; // 6 over 3, 4, 5 and 6
-  double weights = 0, sum = 0;
-  for(int k = 3; k <= 6; ++k) {
-    const double weight = binomials[k - 3] * std::pow(p, k) * std::pow(1 - p, 6 - k);
-    weights += weight;
-    sum += weight * k / 6;
-  }
-  return sum / weights;
-}
-
 } // namespace
 
 double area(const Soup& soup)
@@ -221,16 +208,6 @@ Soup add_noise(const Soup& soup, double ratio, std::uint64_t seed)
     p = p + deviation * Vector_3(x, y, z);
   }
   return noisy;
-}
-
-double fraction_from_coverage(double coverage)
-{
-  double low = 1e-6, high = 1;
-  for(int step = 0; step < 40; ++step) {
-    const double middle = 0.5 * (low + high);
-    (mean_coverage(middle) < coverage ? low : high) = middle;
-  }
-  return high;
 }
 
 } // namespace Paper

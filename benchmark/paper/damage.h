@@ -75,14 +75,6 @@ Soup remove_holes(const Soup& soup, double fraction, std::size_t number, std::ui
 Soup add_noise(const Soup& soup, double ratio, std::uint64_t seed);
 /// @}
 
-/// \brief the fraction of a surface that is left, if parts are missing at random, from the coverage of
-/// its interior (see `Interior`).
-///
-/// A voxel counts as inside only if at least three of its six rays see the surface. So the mean of those that
-/// count is too large: if each ray sees it with the probability p, it is that of a binomial distribution
-/// without its values 0, 1 and 2. This is undone.
-double fraction_from_coverage(double coverage);
-
 } // namespace Paper
 
 #endif // AREA_PROJECTION_PAPER_DAMAGE_H

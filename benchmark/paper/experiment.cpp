@@ -48,7 +48,6 @@ void append_means(const std::vector<Maximum_change>& changes, const Damaged& dam
                    {"clean value there", mean_of(values)},
                    {"score", mean_of(scores)},
                    {"score / coverage", mean_of(scores) / damaged.coverage},
-                   {"score / fraction", mean_of(scores) / damaged.fraction},
                    {"score / area", mean_of(scores) / damaged.area_ratio}});
 }
 
@@ -140,11 +139,10 @@ Damage noise(double ratio)
 
 Damaged apply(const Damage& damage, const Subject& subject, std::uint64_t seed)
 {
-  Damaged damaged{damage.apply(subject.soup(), seed), 0, 0, 0, {}};
+  Damaged damaged{damage.apply(subject.soup(), seed), 0, 0, {}};
   damaged.area_ratio = area(damaged.soup) / area(subject.soup());
   const Inside own = inside(damaged.soup, subject.region()->grid());
   damaged.coverage = own.coverage;
-  damaged.fraction = fraction_from_coverage(own.coverage);
   damaged.interior = compare(*subject.region(), *own.region);
   return damaged;
 }
@@ -167,7 +165,6 @@ Measures measure_maps(const Maps& clean, const Maps& other, const Damaged& damag
                  {"largest R error", scales.back().relative_rms},
                  {"joint error", joint(1).relative_rms},
                  {"/ coverage error", joint(1 / damaged.coverage).relative_rms},
-                 {"/ fraction error", joint(1 / damaged.fraction).relative_rms},
                  {"/ area error", joint(1 / damaged.area_ratio).relative_rms}});
 }
 
@@ -186,7 +183,6 @@ Measures measure_interior(const Damaged& damaged)
 {
   return {{"area", damaged.area_ratio},
           {"coverage", damaged.coverage},
-          {"fraction", damaged.fraction},
           {"interior found", damaged.interior.found},
           {"interior wrong", damaged.interior.wrong}};
 }

@@ -97,7 +97,6 @@ struct Damaged
   Soup soup;
   double area_ratio; ///< its area, relative to that of the whole surface
   double coverage;   ///< what its own interior sees of it
-  double fraction;   ///< what is left of it, as the coverage tells (see `fraction_from_coverage()`)
   Region_agreement interior;
 };
 
@@ -106,8 +105,8 @@ Damaged apply(const Damage& damage, const Subject& subject, std::uint64_t seed);
 using Measures = std::vector<std::pair<std::string, double>>;
 
 /// \brief what is found of the clean maps in those of the damaged surface: correlations, and relative RMS
-/// differences: without compensation for the area that is missing, divided by the coverage, by the
-/// fraction that the coverage tells, and by the ratio of the areas.
+/// differences: without compensation for the area that is missing, divided by the coverage, and by
+/// the ratio of the areas.
 Measures measure_maps(const Maps& clean, const Maps& other, const Damaged& damaged);
 
 /// \brief what became of the ten strongest maxima of the joint map: means over those that are found.

@@ -186,17 +186,6 @@ TEST(Noise, is_normal_and_as_large_as_asked_for)
   EXPECT_EQ(add_noise(soup, 0, 1).points, soup.points);
 }
 
-TEST(Coverage, tells_the_fraction_of_faces_that_are_left)
-{
-  EXPECT_NEAR(fraction_from_coverage(1), 1, 1e-9);
-  EXPECT_NEAR(fraction_from_coverage(156. / 252), 0.5, 1e-9); // (3·20 + 4·15 + 5·6 + 6) / 6·42
-  const Soup rest = remove_random_faces(icosphere(5), 0.5, 1);
-  const AP::Interior interior =
-      AP::interior(AP::surface_from_triangle_soup(rest.points, rest.triangles),
-                   AP::grid_around(CGAL::Bbox_3(-1, -1, -1, 1, 1, 1), 0.05));
-  EXPECT_NEAR(fraction_from_coverage(interior.coverage), 0.5, 0.03);
-}
-
 /// a cube of voxels without a layer in the middle, which has storage nevertheless.
 std::shared_ptr<const AP::Row_spans> region_with_a_gap()
 {

@@ -31,9 +31,8 @@ AP::Triangle_surface surface_of(const Soup& soup)
 
 void write_picture(const std::string& file, const AP::Joint_map& map, const Soup& silhouette)
 {
-  mapt::write_picture(file, map,
-                      std::make_shared<const AP::Constant_scale_space<AP::Triangle_surface>>(
-                          surface_of(silhouette)));
+  const AP::Triangle_surface surface = surface_of(silhouette);
+  mapt::write_picture(file, map, &surface);
 }
 
 } // namespace

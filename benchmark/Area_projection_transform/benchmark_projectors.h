@@ -59,8 +59,8 @@ inline double size_of_ball(double radius)
 constexpr double slowness_of_literal = 12;
 
 /// computes all scales into a joint map of the region.
-template <class ConcurrencyTag = CGAL::Sequential_tag, class MakeProjector>
-void compute_joint_map(const Surface& surface, const AP::Row_spans& region,
+template <class ConcurrencyTag = CGAL::Sequential_tag, class ScaleSpace, class MakeProjector>
+void compute_joint_map(const ScaleSpace& surface, const AP::Row_spans& region,
                        const std::vector<AP::Scale>& scales, MakeProjector make_projector)
 {
   const std::shared_ptr<const AP::Row_spans> shared(std::shared_ptr<void>(), &region);

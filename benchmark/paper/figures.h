@@ -29,6 +29,9 @@ void figure_8(const Options& options, Benchmarks::Report& report);
 /// everything against the amount of damage.
 void robustness_curves(const Options& options, Benchmarks::Report& report);
 
+/// how far it pays to smooth.
+void smoothing_ratios(const Options& options, Benchmarks::Report& report);
+
 } // namespace Paper
 
 #endif // AREA_PROJECTION_PAPER_FIGURES_H

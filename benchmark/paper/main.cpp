@@ -28,7 +28,8 @@ constexpr Figure figures[] = {{"1", Paper::figure_1},
                               {"4", Paper::figure_4},
                               {"7", Paper::figure_7},
                               {"8", Paper::figure_8},
-                              {"curves", Paper::robustness_curves}};
+                              {"curves", Paper::robustness_curves},
+                              {"ratios", Paper::smoothing_ratios}};
 
 struct Arguments
 {

@@ -48,7 +48,7 @@ class Smoke(unittest.TestCase):
 
     def test_every_figure_has_rows(self):
         groups = [group["name"] for group in self.data["groups"]]
-        self.assertEqual(groups, ["figure 1", "figure 4", "figure 7", "figure 8", "curves"])
+        self.assertEqual(groups, ["figure 1", "figure 4", "figure 7", "figure 8", "curves", "ratios"])
         self.assertEqual({row["group"] for row in self.data["rows"]}, set(groups))
         for name in groups:
             self.assertIn(f"\n{name}, ", self.output)

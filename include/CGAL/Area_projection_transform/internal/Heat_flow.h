@@ -72,7 +72,7 @@ public:
       return values;
     // What changes is found rather than the result: so that values may be far from zero.
     const Vectors change = -time * (m_cells.levels().front().conductances * values);
-    return values + Implicit_step(m_cells, time).solve(change, largest_error);
+    return values + Implicit_step(m_cells, time, largest_error).solve(change);
   }
 
 private:

@@ -11,7 +11,9 @@
 
 #include <Eigen/Core>
 
+#include <cmath>
 #include <cstddef>
+#include <cstdint>
 #include <stdexcept>
 #include <string>
 #include <vector>
@@ -25,130 +27,173 @@ using Cell_vectors = Eigen::Matrix<double, Eigen::Dynamic, 3, Eigen::RowMajor>;
 
 /// \brief solves `(areas + time · conductances) x = b` by conjugate gradients, preconditioned by a cycle over
 /// the levels of a hierarchy: the number of steps hardly depends on the number of cells and on the time.
+///
+/// Works in floats, with the mean area of a cell and the error that is allowed as units, and with four
+/// columns, of which the last is zero: a row is what a processor adds at once.
 class Implicit_step
 {
 public:
-  Implicit_step(const Cell_hierarchy& cells, double time)
+  /// \param largest_error the root of the mean squared error of the solution over the surface
+  Implicit_step(const Cell_hierarchy& cells, double time, double largest_error)
+      : m_unit_of_area(cells.levels().front().areas.mean()), m_largest_error(largest_error)
   {
     for(const Linked_cells& level : cells.levels()) {
-      m_levels.push_back({level.areas, time * level.conductances, {}, level.parents});
-      Level& last = m_levels.back();
-      // With the sum of the absolute values of a row instead of its diagonal, no eigenvalue exceeds 1,
-      // whatever the signs of the links.
-      Eigen::VectorXd sums = level.areas;
-      double ratio = 0;
-      for(Eigen::Index i = 0; i < level.size(); ++i) {
-        for(Sparse_matrix::InnerIterator entry(last.system, i); entry; ++entry)
-          sums[i] += std::abs(entry.value());
-        ratio += sums[i] / level.areas[i];
-      }
-      last.system.diagonal() += level.areas;
-      last.relaxation = (4. / 3) * sums.cwiseInverse();
-      // Where areas outweigh links, relaxation alone is enough.
-      if(ratio < 4 * double(level.size()))
+      m_levels.emplace_back(level, 1 / m_unit_of_area, time / m_unit_of_area);
+      if(m_levels.back().is_dominated_by_areas())
         break;
     }
   }
 
-  /// \param largest_error the root of the mean squared error over the surface
   /// \throw std::runtime_error if the solution is not found.
-  Cell_vectors solve(const Cell_vectors& b, double largest_error) const
+  Cell_vectors solve(const Cell_vectors& b) const
   {
-    const Sparse_matrix& system = m_levels.front().system;
-    const double target = largest_error * largest_error * m_levels.front().areas.sum();
-    const Cell_vectors nothing = Cell_vectors::Zero(b.rows(), 3);
-    Cell_vectors x = nothing, residual = b;
-    Cell_vectors correction = cycle(0, residual);
-    Cell_vectors direction = correction, image(b.rows(), 3);
-    // The error in the energy of the system, which exceeds that in the mean over the surface.
-    Triple energy = dot(residual, correction);
-    for(int step = 0; (energy.array() > target).any(); ++step) {
-      if(step == most_steps)
+    const Level& finest = m_levels.front();
+    Vectors residual = Vectors::Zero(b.rows(), 4);
+    residual.leftCols<3>() = (b / (m_unit_of_area * m_largest_error)).cast<float>();
+    const double target = double(b.rows()); // an error of 1 over the area
+    Vectors x = Vectors::Zero(b.rows(), 4), correction = cycle(0, residual);
+    Vectors direction = correction, image(b.rows(), 4);
+    // The energy of the error exceeds its square over the surface.
+    Numbers energy = dot(residual, correction);
+    for(int step = 0; !(energy <= target).all(); ++step) {
+      if(step == most_steps || !energy.isFinite().all())
         throw std::runtime_error("the smoothing of the surface does not converge in " +
                                  std::to_string(step) + " steps: remove degenerate faces");
-      for_each_residual(system, direction, nothing,
-                        [&](Eigen::Index i, const Triple& r) { image.row(i) = -r; });
-      const Triple length = ratio(energy, dot(direction, image));
+      finest.for_each_image(
+          direction, [&](Eigen::Index i, const Row& image_of_i) { image.row(i) = image_of_i; });
+      const Row length = ratio(energy, dot(direction, image));
       for(Eigen::Index i = 0; i < b.rows(); ++i) {
         x.row(i) += length.cwiseProduct(direction.row(i));
         residual.row(i) -= length.cwiseProduct(image.row(i));
       }
       correction = cycle(0, residual);
-      const Triple before = energy;
+      const Numbers before = energy;
       energy = dot(residual, correction);
-      const Triple kept = ratio(energy, before);
+      const Row kept = ratio(energy, before);
       for(Eigen::Index i = 0; i < b.rows(); ++i)
         direction.row(i) = correction.row(i) + kept.cwiseProduct(direction.row(i));
     }
-    return x;
+    return m_largest_error * x.leftCols<3>().cast<double>();
   }
 
 private:
-  using Triple = Eigen::RowVector3d;
-
-  struct Level
-  {
-    const Eigen::VectorXd& areas;
-    Sparse_matrix system;
-    Eigen::VectorXd relaxation;
-    const std::vector<std::int32_t>& parents;
-  };
+  using Vectors = Eigen::Matrix<float, Eigen::Dynamic, 4, Eigen::RowMajor>;
+  using Row = Eigen::Matrix<float, 1, 4>;
+  using Numbers = Eigen::Array<double, 1, 4>;
 
   static constexpr int most_steps = 1000;
   static constexpr int sweeps_on_coarsest = 5; // and one before
 
-  static Triple dot(const Cell_vectors& u, const Cell_vectors& v)
+  /// the system of a level: areas, and links that carry the difference of their ends.
+  class Level
   {
-    Triple sum = Triple::Zero();
+  public:
+    Level(const Linked_cells& cells, double area_factor, double link_factor)
+        : m_cells(cells), m_areas((area_factor * cells.areas).cast<float>())
+    {
+      const Eigen::Index number = cells.size();
+      m_first_link.reserve(std::size_t(number) + 1);
+      m_relaxation.resize(number);
+      const std::size_t links = std::size_t(cells.conductances.nonZeros() - number);
+      m_ends.reserve(links);
+      m_strengths.reserve(links);
+      double sum_of_ratios = 0;
+      for(Eigen::Index i = 0; i < number; ++i) {
+        m_first_link.push_back(std::uint32_t(m_ends.size()));
+        double sum = 0, sum_of_absolutes = 0;
+        for(Sparse_matrix::InnerIterator link(cells.conductances, i); link; ++link)
+          if(link.col() != i) {
+            const double strength = -link_factor * link.value();
+            m_ends.push_back(link.col());
+            m_strengths.push_back(float(strength));
+            sum += strength;
+            sum_of_absolutes += std::abs(strength);
+          }
+        // With the sum of the absolute values of a row instead of its diagonal no eigenvalue exceeds 1,
+        // whatever the signs of the links.
+        const double area = area_factor * cells.areas[i];
+        m_relaxation[i] = float(4. / 3 / (area + std::abs(sum) + sum_of_absolutes));
+        sum_of_ratios += sum_of_absolutes / area;
+      }
+      m_first_link.push_back(std::uint32_t(m_ends.size()));
+      m_is_dominated_by_areas = sum_of_ratios < 2 * double(number);
+    }
+
+    Eigen::Index size() const { return m_areas.size(); }
+
+    /// whether the links are so weak that relaxation alone is enough.
+    bool is_dominated_by_areas() const { return m_is_dominated_by_areas; }
+
+    /// the cell of the next level that a cell is a part of.
+    Eigen::Index parent(Eigen::Index i) const { return m_cells.parents[std::size_t(i)]; }
+
+    float relaxation(Eigen::Index i) const { return m_relaxation[i]; }
+
+    /// calls `function(i, (system · x) of cell i)` for each cell.
+    template <class Function>
+    void for_each_image(const Vectors& x, Function&& function) const
+    {
+      for(Eigen::Index i = 0; i < size(); ++i) {
+        const Row here = x.row(i);
+        Row image = m_areas[i] * here;
+        for(std::uint32_t l = m_first_link[std::size_t(i)]; l < m_first_link[std::size_t(i) + 1];
+            ++l)
+          image += m_strengths[l] * (here - x.row(m_ends[l]));
+        function(i, image);
+      }
+    }
+
+  private:
+    const Linked_cells& m_cells;
+    Eigen::VectorXf m_areas, m_relaxation;
+    std::vector<std::uint32_t> m_first_link;
+    std::vector<std::int32_t> m_ends;
+    std::vector<float> m_strengths;
+    bool m_is_dominated_by_areas;
+  };
+
+  static Numbers dot(const Vectors& u, const Vectors& v)
+  {
+    Numbers sum = Numbers::Zero();
     for(Eigen::Index i = 0; i < u.rows(); ++i)
-      sum += u.row(i).cwiseProduct(v.row(i));
+      sum += u.row(i).cwiseProduct(v.row(i)).array().cast<double>();
     return sum;
   }
 
   /// where nothing is left to divide, there is nothing left to do.
-  static Triple ratio(const Triple& numerator, const Triple& denominator)
+  static Row ratio(const Numbers& numerator, const Numbers& denominator)
   {
-    return (denominator.array() > 0).select(numerator.cwiseQuotient(denominator), 0.);
-  }
-
-  /// calls `function(i, (b - system · x) of cell i)` for each cell.
-  template <class Function>
-  static void for_each_residual(const Sparse_matrix& system, const Cell_vectors& x,
-                                const Cell_vectors& b, Function&& function)
-  {
-    for(Eigen::Index i = 0; i < b.rows(); ++i) {
-      Triple r = b.row(i);
-      for(Sparse_matrix::InnerIterator entry(system, i); entry; ++entry)
-        r -= entry.value() * x.row(entry.col());
-      function(i, r);
-    }
+    return (denominator > 0).select(numerator / denominator, 0.).cast<float>();
   }
 
   /// \brief an approximate solution, by relaxation on the level and a correction from the coarser ones;
   /// linear and symmetric in `b`, as the gradients need it.
-  Cell_vectors cycle(std::size_t l, const Cell_vectors& b) const
+  Vectors cycle(std::size_t l, const Vectors& b) const
   {
     const Level& level = m_levels[l];
     const bool is_coarsest = l + 1 == m_levels.size();
-    Cell_vectors x = level.relaxation.asDiagonal() * b, relaxed(b.rows(), 3);
+    Vectors x(b.rows(), 4), relaxed(b.rows(), 4);
+    for(Eigen::Index i = 0; i < b.rows(); ++i)
+      x.row(i) = level.relaxation(i) * b.row(i);
     if(!is_coarsest) {
-      Cell_vectors sums = Cell_vectors::Zero(m_levels[l + 1].areas.size(), 3);
-      for_each_residual(level.system, x, b, [&](Eigen::Index i, const Triple& r) {
-        sums.row(level.parents[std::size_t(i)]) += r;
+      Vectors sums = Vectors::Zero(m_levels[l + 1].size(), 4);
+      level.for_each_image(x, [&](Eigen::Index i, const Row& image) {
+        sums.row(level.parent(i)) += b.row(i) - image;
       });
-      const Cell_vectors correction = cycle(l + 1, sums);
+      const Vectors correction = cycle(l + 1, sums);
       for(Eigen::Index i = 0; i < b.rows(); ++i)
-        x.row(i) += correction.row(level.parents[std::size_t(i)]);
+        x.row(i) += correction.row(level.parent(i));
     }
     for(int sweep = 0; sweep < (is_coarsest ? sweeps_on_coarsest : 1); ++sweep) {
-      for_each_residual(level.system, x, b, [&](Eigen::Index i, const Triple& r) {
-        relaxed.row(i) = x.row(i) + level.relaxation[i] * r;
+      level.for_each_image(x, [&](Eigen::Index i, const Row& image) {
+        relaxed.row(i) = x.row(i) + level.relaxation(i) * (b.row(i) - image);
       });
       x.swap(relaxed);
     }
     return x;
   }
 
+  double m_unit_of_area, m_largest_error;
   std::vector<Level> m_levels;
 };
 

@@ -88,18 +88,25 @@ void show_forecast(const Input& input, Console& console)
 void show_operations(const Input& input, Console& console)
 {
   const Mesh_report& report = input.report;
-  std::string exact = "evaluate: exact, samples or kd-tree";
-  std::string inside = "transform: any method";
+  std::string transform = "transform: any method";
+  std::string evaluate = "evaluate: exact, samples or kd-tree";
+  std::string normals = "--normals: face, interpolated, averaged or smoothed";
   if(input.is_point_set) {
-    exact = "evaluate: samples or kd-tree, since points have no faces";
-    inside = "transform: grid or paper, in all voxels, since points have no interior";
+    transform = "transform: grid or paper, in all voxels, since points have no interior";
+    evaluate = "evaluate: samples or kd-tree, since points have no faces";
+    normals = "--normals: face (those of the points) or averaged";
   } else if(!report.is_closed)
-    inside += "; the interior is what most of six directions see as inside";
+    transform += "; the interior is what most of six directions see as inside, and --compensate "
+                 "divides by what they see";
   if(!report.is_consistently_oriented && !input.is_point_set)
-    inside += "; faces that look the wrong way project to the wrong side: --orient, or --side both";
-  console.row("use", inside);
-  console.row("", exact);
-  console.report["operations"] = {inside, exact};
+    transform +=
+        "; faces that look the wrong way project to the wrong side: --orient, or --side both";
+  if(report.are_duplicates_joined)
+    normals += "; neighbours are found by the positions of vertices";
+  console.row("use", transform);
+  console.row("", evaluate);
+  console.row("", normals);
+  console.report["operations"] = {transform, evaluate, normals};
 }
 
 void show_mesh(const std::string& file, const Reading_options& reading, Console& console)

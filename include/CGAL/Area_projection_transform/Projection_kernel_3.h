@@ -51,6 +51,17 @@ inline void check_kernel(const std::vector<Nested_ball>& kernel)
                                 ": must be at most 1");
 }
 
+/// the area that a kernel collects, from those that `evaluate(x, sigma)` finds in balls.
+template <class Evaluator, class Point>
+double sum_over_balls(const Evaluator& evaluate, const Point& x, double sigma,
+                      const std::vector<Nested_ball>& kernel)
+{
+  double sum = 0;
+  for(const Nested_ball& ball : kernel)
+    sum += ball.weight * evaluate(x, sigma * ball.relative_radius);
+  return sum;
+}
+
 /// splits a profile that falls from 1 at the centre to 0 at `σ` into `number` nested balls: ball
 /// `j` reaches to where the profile has fallen to the middle of its step.
 template <class RadiusOfValue>

@@ -21,8 +21,8 @@ namespace internal {
 
 using Sparse_matrix = Eigen::SparseMatrix<double, Eigen::RowMajor, std::int32_t>;
 
-/// \brief cells with areas, and the conductances between them: off the diagonal their negatives, on it the
-/// sum of each row.
+/// \brief cells with areas, and the conductances between them: off the diagonal their negatives, on
+/// it the sum of each row.
 struct Linked_cells
 {
   Eigen::VectorXd areas;
@@ -32,7 +32,8 @@ struct Linked_cells
   Eigen::Index size() const { return areas.size(); }
 };
 
-/// \brief the same surface in cells that are larger from level to level, of about four cells of the level below.
+/// \brief the same surface in cells that are larger from level to level, of about four cells of the
+/// level below.
 class Cell_hierarchy
 {
 public:
@@ -56,8 +57,8 @@ public:
 private:
   static constexpr Eigen::Index smallest_number = 64;
 
-  /// \brief joins each cell with the neighbour to which its link is the strongest, or, if all neighbours
-  /// are taken, with the pair of that neighbour.
+  /// \brief joins each cell with the neighbour to which its link is the strongest, or, if all
+  /// neighbours are taken, with the pair of that neighbour.
   static std::int32_t find_parents(Linked_cells& cells)
   {
     constexpr std::int32_t none = -1;
@@ -100,9 +101,9 @@ private:
 
   /// \brief finds the parents of some cells and returns them.
   ///
-  /// The links between two cells of twice the area cross an edge that is sqrt(2) times as long and lead
-  /// sqrt(2) times as far: their conductance is the same, while the sum of the links between the parts is
-  /// sqrt(2) times that.
+  /// The links between two cells of twice the area cross an edge that is sqrt(2) times as long and
+  /// lead sqrt(2) times as far: their conductance is the same, while the sum of the links between
+  /// the parts is sqrt(2) times that.
   static Linked_cells coarser(Linked_cells& cells)
   {
     const std::int32_t number = find_parents(cells);

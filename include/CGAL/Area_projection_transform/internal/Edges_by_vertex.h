@@ -56,7 +56,8 @@ public:
       });
   }
 
-  /// calls `function(lower_vertex, begin, end)` with the sides on each edge, until it returns `false`; returns whether it never did.
+  /// calls `function(lower_vertex, begin, end)` with the sides on each edge, until it returns
+  /// `false`; returns whether it never did.
   template <class Function>
   bool all_edges(Function&& function) const
   {

@@ -22,8 +22,8 @@ namespace CGAL {
 namespace Area_projection {
 namespace internal {
 
-/// \brief the flow of heat on a surface that is cut into cells: a cell has an area, and a link between two
-/// cells a conductance.
+/// \brief the flow of heat on a surface that is cut into cells: a cell has an area, and a link
+/// between two cells a conductance.
 ///
 /// A link of conductance `w` carries `w` times the difference of its ends. Conductances have no unit:
 /// between two squares side by side it is 1.
@@ -57,11 +57,11 @@ public:
       : m_cells(linked_cells(areas, std::move(links)))
   {}
 
-  /// \brief returns what becomes of `values` in `time`, in squared units of length, by one implicit step:
-  /// the solution of `(areas + time · links) x = areas · values`.
+  /// \brief returns what becomes of `values` in `time`, in squared units of length, by one implicit
+  /// step: the solution of `(areas + time · links) x = areas · values`.
   ///
-  /// The mean over the surface is kept. In the plane a point spreads to a variance of `2 time` along each
-  /// axis.
+  /// The mean over the surface is kept. In the plane a point spreads to a variance of `2 time`
+  /// along each axis.
   /// \param largest_error the root of the mean, over the surface, of the squared error of the solution
   /// \throw std::runtime_error if the solver does not converge.
   ///

@@ -25,8 +25,9 @@ namespace internal {
 /// three values for each cell.
 using Cell_vectors = Eigen::Matrix<double, Eigen::Dynamic, 3, Eigen::RowMajor>;
 
-/// \brief solves `(areas + time · conductances) x = b` by conjugate gradients, preconditioned by a cycle over
-/// the levels of a hierarchy: the number of steps hardly depends on the number of cells and on the time.
+/// \brief solves `(areas + time · conductances) x = b` by conjugate gradients, preconditioned by a
+/// cycle over the levels of a hierarchy: the number of steps hardly depends on the number of cells
+/// and on the time.
 ///
 /// Works in floats, with the mean area of a cell and the error that is allowed as units, and with four
 /// columns, of which the last is zero: a row is what a processor adds at once.

@@ -23,11 +23,12 @@ namespace CGAL {
 namespace Area_projection {
 namespace internal {
 
-/// \brief links the triangles of a surface that are neighbours: across their common edges, and across gaps.
+/// \brief links the triangles of a surface that are neighbours: across their common edges, and
+/// across gaps.
 ///
 /// Where faces are missing, those on either side of a gap are linked at the vertices of its rim, as
-/// well as a missing face would have linked them: a mesh keeps its conductance on the large when faces are removed at
-/// random.
+/// well as a missing face would have linked them: a mesh keeps its conductance on the large when
+/// faces are removed at random.
 class Face_linker
 {
 public:

@@ -73,7 +73,8 @@ Voted_region majority_region(const Interior_votes& votes, const Grid_3& grid)
   return {std::move(region), sum};
 }
 
-/// \brief the votes of some layers, with a margin of one voxel all around, and sums over the neighbours.
+/// \brief the votes of some layers, with a margin of one voxel all around, and sums over the
+/// neighbours.
 class Layers_of_votes
 {
 public:
@@ -124,8 +125,9 @@ private:
   std::vector<std::int8_t> m_votes;
 };
 
-/// \brief the voxels that see enough of the surface from inside, in the mean of their neighbourhood: where
-/// faces are missing at random, the six directions of a single voxel are too few to tell.
+/// \brief the voxels that see enough of the surface from inside, in the mean of their
+/// neighbourhood: where faces are missing at random, the six directions of a single voxel are too
+/// few to tell.
 /// \param fraction how many of the directions are enough
 template <class ConcurrencyTag>
 Voted_region neighbourhood_region(const Interior_votes& votes, const Grid_3& grid, double fraction)
@@ -151,9 +153,9 @@ Voted_region neighbourhood_region(const Interior_votes& votes, const Grid_3& gri
   return {std::move(region), sum};
 }
 
-/// \brief how much of a surface is there, if that much of it is missing at random that the voxels with three
-/// or more votes have the mean fraction `coverage` of all: what solves
-/// `coverage = E[votes | votes >= 3] / 6` for a binomial distribution of the votes.
+/// \brief how much of a surface is there, if that much of it is missing at random that the voxels
+/// with three or more votes have the mean fraction `coverage` of all: what solves `coverage =
+/// E[votes | votes >= 3] / 6` for a binomial distribution of the votes.
 inline double observed_fraction(double coverage)
 {
   const auto expected = [](double f) {
@@ -172,9 +174,10 @@ inline double observed_fraction(double coverage)
 
 /// \brief the voxels that most directions see as inside.
 ///
-/// If more than a quarter of the surface is missing, its neighbours have a say in what a voxel is, and the limit falls with what is there: inside a
-/// fraction `f` of the directions vote for a voxel; outside, where a ray crosses the surface twice and
-/// only one of the crossings is there, `f (1 - f)` at most, and half as many where half of the rays miss. The limit is halfway between.
+/// If more than a quarter of the surface is missing, its neighbours have a say in what a voxel is,
+/// and the limit falls with what is there: inside a fraction `f` of the directions vote for a
+/// voxel; outside, where a ray crosses the surface twice and only one of the crossings is there, `f
+/// (1 - f)` at most, and half as many where half of the rays miss. The limit is halfway between.
 template <class ConcurrencyTag>
 Voted_region interior_by_votes(const Triangle_surface& surface, const Grid_3& grid)
 {

@@ -91,10 +91,7 @@ public:
   template <class Point>
   double operator()(const Point& x, double sigma, const std::vector<Nested_ball>& kernel) const
   {
-    double sum = 0;
-    for(const Nested_ball& ball : kernel)
-      sum += ball.weight * (*this)(x, sigma * ball.relative_radius);
-    return sum;
+    return internal::sum_over_balls(*this, x, sigma, kernel);
   }
 
   std::size_t number_of_surfels() const { return m_projected.size(); }

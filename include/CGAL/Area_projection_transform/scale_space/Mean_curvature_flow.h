@@ -24,16 +24,16 @@ namespace CGAL {
 namespace Area_projection {
 
 /// \ingroup PkgAreaProjectionTransformScaleSpace
-/// \brief smooths the surface the more the larger the radius, by mean curvature flow, so that structures much smaller than the
-/// radius are gone (paper, section 4.1, figure 4 D).
+/// \brief smooths the surface the more the larger the radius, by mean curvature flow, so that
+/// structures much smaller than the radius are gone (paper, section 4.1, figure 4 D).
 ///
-/// The paper smooths step by step from one radius to the next. Here the surface at radius `R` depends on
-/// `R` alone: it is the original after the time `(smoothing_ratio · R)² / 2`, in which a bump spreads to a
-/// standard deviation of `smoothing_ratio · R`. One implicit step is made, with the cotangent
-/// Laplacian of the original, and two things are done about what it takes away too much:
-/// what the step removed is smoothed in turn and added (twicing), so that a sphere of radius `R` loses 0.7 % of its
-/// radius instead of 8 %; and vertices move along the normals of the smoothed surface only, so that the
-/// rims of holes do not draw back.
+/// The paper smooths step by step from one radius to the next. Here the surface at radius `R`
+/// depends on `R` alone: it is the original after the time `(smoothing_ratio · R)² / 2`, in which a
+/// bump spreads to a standard deviation of `smoothing_ratio · R`. One implicit step is made, with
+/// the cotangent Laplacian of the original, and two things are done about what it takes away too
+/// much: what the step removed is smoothed in turn and added (twicing), so that a sphere of radius
+/// `R` loses 0.7 % of its radius instead of 8 %; and vertices move along the normals of the
+/// smoothed surface only, so that the rims of holes do not draw back.
 ///
 /// Triangles keep their place in the order and their sources; they vote with the area they have when
 /// smoothed, times the ratio that the user gave them over their own.

@@ -4,7 +4,7 @@
 #
 # SPDX-License-Identifier: GPL-3.0-or-later
 
-# The command mapt, and the files it writes, seen by the readers of others: each test_*.py is a test
+# The command mapt, and the files it writes, seen by the readers of others: each test_*.py is a test (mapt_test.py is what they share)
 # that finds the command in the environment variable MAPT and the meshes in MAPT_DATA.
 
 file(GLOB scripts CONFIGURE_DEPENDS test_*.py)

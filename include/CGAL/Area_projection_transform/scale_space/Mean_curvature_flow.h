@@ -87,7 +87,7 @@ public:
     Triangle_surface surface = m_source;
     surface.vertex_normals.clear();
     for(std::size_t i = 0; i < surface.points.size(); ++i)
-      surface.points[i] = CGAL::ORIGIN + internal::row(positions, i);
+      surface.points[i] = CGAL::ORIGIN + internal::row(positions, m_places[i]);
     move_back_along_surface(surface);
     measure(surface);
     return surface;

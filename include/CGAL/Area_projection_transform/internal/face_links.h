@@ -76,8 +76,9 @@ private:
     for(const Side* a = begin; a != end; ++a)
       for(const Side* b = a + 1; b != end; ++b)
         if(a->face != b->face) {
+          const double area = m_areas[a->face] + m_areas[b->face];
           const double conductance =
-              std::min(1.5 * squared_length / (m_areas[a->face] + m_areas[b->face]), largest);
+              area > 0 ? std::min(1.5 * squared_length / area, largest) : largest;
           m_links.add(a->face, b->face, conductance / double(end - begin - 1));
         }
   }

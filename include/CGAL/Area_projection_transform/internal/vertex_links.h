@@ -38,6 +38,8 @@ inline Heat_flow flow_between_vertices(const Triangle_surface& surface,
     for(int i = 0; i < 3; ++i)
       longest =
           std::max(longest, squared_distance(surface.corner(t, i), surface.corner(t, (i + 1) % 3)));
+    if(!(longest > 0))
+      continue; // all at one point
     // The same for all corners, which keeps the energy of the triangle positive.
     const double doubled_area = std::max(2 * areas[t], least_sine * longest);
     for(int i = 0; i < 3; ++i) {

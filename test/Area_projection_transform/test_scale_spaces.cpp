@@ -84,6 +84,96 @@ TEST(Heat_flow, fills_cells_without_area_from_their_neighbours_and_leaves_lone_o
   }
 }
 
+/// a lattice of cells with random areas, and links of random strengths: some repel, as those across
+/// obtuse angles do, but no cell as much as the others hold it.
+AP::internal::Linked_cells random_cells(int side)
+{
+  shapes::Random random(5);
+  std::vector<Eigen::Triplet<double, std::int32_t>> entries;
+  AP::internal::Linked_cells cells;
+  cells.areas.resize(side * side);
+  const auto link = [&](int i, int j, double strength) {
+    entries.emplace_back(i, j, -strength);
+    entries.emplace_back(j, i, -strength);
+    entries.emplace_back(i, i, strength);
+    entries.emplace_back(j, j, strength);
+  };
+  for(int i = 0; i < side * side; ++i) {
+    cells.areas[i] = std::pow(10, random(-6, 0));
+    if(i % side > 0)
+      link(i, i - 1, random(1, 100));
+    if(i >= side)
+      link(i, i - side, random(1, 100));
+    if(i % side > 0 && i >= side)
+      link(i, i - side - 1, random(-0.4, 0));
+  }
+  cells.conductances.resize(side * side, side * side);
+  cells.conductances.setFromTriplets(entries.begin(), entries.end());
+  return cells;
+}
+
+TEST(Implicit_step, is_approximated_by_a_cycle_that_is_symmetric_and_positive)
+{
+  constexpr int side = 40;
+  const AP::internal::Cell_hierarchy cells(random_cells(side));
+  ASSERT_GT(cells.levels().size(), 2u);
+  shapes::Random random(6);
+  using Vectors = AP::internal::Implicit_step::Vectors;
+  const auto dot = [](const Vectors& a, const Vectors& b) {
+    return a.col(0).cast<double>().dot(b.col(0).cast<double>());
+  };
+  for(const double time : {1e-3, 1., 1e4}) {
+    const AP::internal::Implicit_step step(cells, time, 1);
+    for(int repetition = 0; repetition < 20; ++repetition) {
+      Vectors a = Vectors::Zero(side * side, 4), b = a;
+      for(int i = 0; i < side * side; ++i) {
+        a(i, 0) = float(random(-1, 1));
+        b(i, 0) = float(random(-1, 1));
+      }
+      const Vectors of_a = step.approximate(a), of_b = step.approximate(b);
+      EXPECT_GT(dot(a, of_a), 0);
+      EXPECT_NEAR(dot(a, of_b), dot(b, of_a), 1e-4 * std::sqrt(dot(a, of_a) * dot(b, of_b)));
+    }
+  }
+}
+
+TEST(Cell_hierarchy, leaves_lone_cells_out_and_ends_at_stars)
+{
+  AP::internal::Linked_cells cells = random_cells(40);
+  const Eigen::Index linked = cells.size(), all = 20 * linked;
+  cells.areas.conservativeResizeLike(Eigen::VectorXd::Ones(all));
+  cells.conductances.conservativeResize(all, all);
+  const AP::internal::Cell_hierarchy hierarchy(std::move(cells));
+  const auto& levels = hierarchy.levels();
+  ASSERT_GE(levels.size(), 3u);
+  EXPECT_LE(levels[1].size(), linked / 2);
+  EXPECT_LE(levels.back().size(), linked / 8);
+  EXPECT_NEAR(levels[1].areas.sum(), levels[0].areas.head(linked).sum(), 1e-9);
+
+  constexpr std::size_t leaves = 1000;
+  Heat_flow::Links links(leaves + 1);
+  for(std::size_t i = 1; i <= leaves; ++i)
+    links.add(0, i, 1);
+  const Heat_flow star(std::vector<double>(leaves + 1, 1), std::move(links));
+  Heat_flow::Vectors values = Heat_flow::Vectors::Zero(leaves + 1, 3);
+  values.row(0).setConstant(leaves + 1);
+  // (1 + t n) x0 - t n x1 = n + 1, and (1 + t) x1 - t x0 = 0.
+  const double time = 10, hub = (leaves + 1) * (1 + time) / (1 + time * (leaves + 1));
+  const Heat_flow::Vectors result = star.diffused(values, time, 0.01);
+  EXPECT_NEAR(result(0, 0), hub, 0.05); // without coarser levels the error is underestimated
+  EXPECT_NEAR(result(7, 1), hub * time / (1 + time), 0.05);
+}
+
+TEST(Heat_flow, makes_one_of_cells_of_which_none_has_an_area)
+{
+  Heat_flow::Links links(2);
+  links.add(0, 1, 1);
+  const Heat_flow flow({0, 0}, std::move(links));
+  Heat_flow::Vectors values(2, 3);
+  values << 0, 1, 2, 2, 1, 0;
+  EXPECT_LT((flow.diffused(values, 1e4, 1e-4) - Heat_flow::Vectors::Ones(2, 3)).norm(), 0.01);
+}
+
 /// how long the normals of a unit sphere are after some time.
 template <class Source>
 double length_of_normals(const Source& sphere, double time)
@@ -103,6 +193,22 @@ TEST(Averaged_normals, spread_as_far_as_time_tells)
   for(const double time : {0.02, 0.1, 0.5})
     EXPECT_NEAR(length_of_normals(surface_of(shapes::icosphere(4)), time), 1 / (1 + 2 * time),
                 0.01 / (1 + 2 * time));
+}
+
+// The constant, which is what is left in the end, is found as exactly as the rest.
+TEST(Averaged_normals, know_the_mean_of_a_component_much_smaller_than_the_radius)
+{
+  const Triangle_surface patch = surface_of(shapes::icosphere(5));
+  const Heat_flow flow = AP::internal::flow_between_elements(patch);
+  Heat_flow::Vectors values(Eigen::Index(patch.size()), 3);
+  for(std::size_t i = 0; i < patch.size(); ++i)
+    AP::internal::set_row(values, i, patch.normals[i] + Vector_3(0.1, 0.2, 0.3));
+  const double largest_error = 2e-3;
+  const Heat_flow::Vectors result = flow.diffused(values, 1e3, largest_error);
+  const Eigen::RowVector3d mean(0.1, 0.2, 0.3);
+  // What is left of the normals is 1 / (1 + 2 · 1000).
+  EXPECT_LT(std::sqrt((result.rowwise() - mean).rowwise().squaredNorm().mean()),
+            std::sqrt(3.) * largest_error + 1. / 2001);
 }
 
 TEST(Averaged_normals, spread_as_far_where_half_of_the_faces_are_missing)
@@ -364,7 +470,10 @@ TEST(Smoothing_scale_space, bears_needles_flaps_and_lone_triangles)
   const std::uint32_t last = std::uint32_t(soup.points.size()) - 1;
   soup.triangles.push_back({soup.triangles[0][0], soup.triangles[0][1], last - 3});
   soup.triangles.push_back({last - 2, last - 1, last});
-  const Triangle_surface surface = surface_of(soup);
+  Triangle_surface surface = surface_of(soup);
+  // Two triangles that have no extent, but an area from the user.
+  for(const std::size_t t : {surface.size() - 1, std::size_t(7)})
+    surface.triangles[t][1] = surface.triangles[t][2] = surface.triangles[t][0];
   const auto expect_sound = [&](const Triangle_surface& seen) {
     ASSERT_EQ(seen.size(), surface.size());
     for(std::size_t t = 0; t < seen.size(); ++t) {

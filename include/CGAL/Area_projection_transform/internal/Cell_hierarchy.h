@@ -27,27 +27,43 @@ struct Linked_cells
 {
   Eigen::VectorXd areas;
   Sparse_matrix conductances;
-  std::vector<std::int32_t> parents; ///< the cell of the next coarser level that each is a part of
+  /// the cell of the next coarser level that each is a part of, or `no_parent`
+  std::vector<std::int32_t> parents;
+
+  static constexpr std::int32_t no_parent = -1;
 
   Eigen::Index size() const { return areas.size(); }
+
+  /// whether no link leads to the cell.
+  bool is_alone(Eigen::Index i) const
+  {
+    for(Sparse_matrix::InnerIterator link(conductances, i); link; ++link)
+      if(link.col() != i)
+        return false;
+    return true;
+  }
 };
 
-/// \brief the same surface in cells that are larger from level to level, of about four cells of the
-/// level below.
+/// \brief the same surface in cells that are larger from level to level, of about four cells of the level
+/// below.
+///
+/// Cells that are alone are on no coarser level: there is nothing to be told of them. On the last level
+/// each component is one cell, or there are cells that do not find partners, as those around the hub of a star.
 class Cell_hierarchy
 {
 public:
   explicit Cell_hierarchy(Linked_cells cells)
   {
     m_levels.push_back(std::move(cells));
-    while(m_levels.back().size() > smallest_number) {
-      Linked_cells pairs = coarser(m_levels.back());
-      Linked_cells fours = coarser(pairs);
-      // Many cells without neighbours are as coarse as they can be.
-      if(fours.size() > 3 * (m_levels.back().size() / 4))
+    for(;;) {
+      Linked_cells pairs = coarser(m_levels.back(), Lone_cells::LEFT_OUT);
+      // A pair that is alone now stands for two cells that are not.
+      Linked_cells fours = coarser(pairs, Lone_cells::KEPT);
+      if(fours.size() == 0 || 4 * fours.size() > 3 * m_levels.back().size())
         break;
       for(std::int32_t& parent : m_levels.back().parents)
-        parent = pairs.parents[std::size_t(parent)];
+        if(parent != Linked_cells::no_parent)
+          parent = pairs.parents[std::size_t(parent)];
       m_levels.push_back(std::move(fours));
     }
   }
@@ -55,20 +71,21 @@ public:
   const std::vector<Linked_cells>& levels() const { return m_levels; }
 
 private:
-  static constexpr Eigen::Index smallest_number = 64;
+  enum class Lone_cells { LEFT_OUT, KEPT };
 
-  /// \brief joins each cell with the neighbour to which its link is the strongest, or, if all
-  /// neighbours are taken, with the pair of that neighbour.
-  static std::int32_t find_parents(Linked_cells& cells)
+  /// \brief joins each cell with the neighbour to which its link is the strongest, or, if all neighbours
+  /// are taken, with the pair of that neighbour; returns the number of parents.
+  static std::int32_t find_parents(Linked_cells& cells, Lone_cells lone_cells)
   {
-    constexpr std::int32_t none = -1;
+    constexpr std::int32_t none = Linked_cells::no_parent;
     const std::size_t number = std::size_t(cells.size());
     std::vector<std::int32_t>& parents = cells.parents;
     parents.assign(number, none);
     std::vector<bool> is_full(number, false); // a parent, of three cells
     std::int32_t found = 0;
     for(std::int32_t i = 0; i < std::int32_t(number); ++i) {
-      if(parents[std::size_t(i)] != none)
+      if(parents[std::size_t(i)] != none ||
+         (lone_cells == Lone_cells::LEFT_OUT && cells.is_alone(i)))
         continue;
       std::int32_t free = none, taken = none;
       double strongest_to_free = 0, strongest_to_taken = 0;
@@ -99,14 +116,14 @@ private:
     return found;
   }
 
-  /// \brief finds the parents of some cells and returns them.
+  /// \brief finds the parents of some cells and returns the level that they make up.
   ///
-  /// The links between two cells of twice the area cross an edge that is sqrt(2) times as long and
-  /// lead sqrt(2) times as far: their conductance is the same, while the sum of the links between
-  /// the parts is sqrt(2) times that.
-  static Linked_cells coarser(Linked_cells& cells)
+  /// The links between two cells of twice the area cross an edge that is sqrt(2) times as long and lead
+  /// sqrt(2) times as far: their conductance is the same. The sum of the links between the parts of the two
+  /// is sqrt(2) times that, and is divided by it.
+  static Linked_cells coarser(Linked_cells& cells, Lone_cells lone_cells)
   {
-    const std::int32_t number = find_parents(cells);
+    const std::int32_t number = find_parents(cells, lone_cells);
     Linked_cells result;
     result.areas = Eigen::VectorXd::Zero(number);
     std::vector<Eigen::Triplet<double, std::int32_t>> entries;
@@ -114,6 +131,8 @@ private:
     const double factor = std::sqrt(0.5);
     for(std::int32_t i = 0; i < std::int32_t(cells.size()); ++i) {
       const std::int32_t parent = cells.parents[std::size_t(i)];
+      if(parent == Linked_cells::no_parent)
+        continue;
       result.areas[parent] += cells.areas[i];
       for(Sparse_matrix::InnerIterator link(cells.conductances, i); link; ++link)
         entries.emplace_back(parent, cells.parents[std::size_t(link.col())], factor * link.value());

@@ -34,7 +34,10 @@ using Cell_vectors = Eigen::Matrix<double, Eigen::Dynamic, 3, Eigen::RowMajor>;
 class Implicit_step
 {
 public:
-  /// \param largest_error the root of the mean squared error of the solution over the surface
+  using Vectors = Eigen::Matrix<float, Eigen::Dynamic, 4, Eigen::RowMajor>;
+
+  /// \param largest_error the root of the mean squared error of each column of the solution over the surface;
+  /// not less than about a millionth of what is in the solution, or floats cannot tell
   Implicit_step(const Cell_hierarchy& cells, double time, double largest_error)
       : m_unit_of_area(cells.levels().front().areas.mean()), m_largest_error(largest_error)
   {
@@ -45,6 +48,11 @@ public:
     }
   }
 
+  /// \brief returns the solution.
+  ///
+  /// The error is estimated, not bounded. Measured, it is at most what is allowed on meshes, noisy ones and those
+  /// that lack most of their faces, too, at any time; up to four times that on wires and needles much
+  /// thinner than the deviation.
   /// \throw std::runtime_error if the solution is not found.
   Cell_vectors solve(const Cell_vectors& b) const
   {
@@ -52,9 +60,10 @@ public:
     Vectors residual = Vectors::Zero(b.rows(), 4);
     residual.leftCols<3>() = (b / (m_unit_of_area * m_largest_error)).cast<float>();
     const double target = double(b.rows()); // an error of 1 over the area
-    Vectors x = Vectors::Zero(b.rows(), 4), correction = cycle(0, residual);
+    Vectors x = Vectors::Zero(b.rows(), 4), correction = approximate(residual);
     Vectors direction = correction, image(b.rows(), 4);
-    // The energy of the error exceeds its square over the surface.
+    // The energy of the error is `residual · (solution of the residual)`, for which the cycle is taken: it
+    // is the sum of the square of the error over the surface, and of `time` times that of its slope.
     Numbers energy = dot(residual, correction);
     for(int step = 0; !(energy <= target).all(); ++step) {
       if(step == most_steps || !energy.isFinite().all())
@@ -67,7 +76,7 @@ public:
         x.row(i) += length.cwiseProduct(direction.row(i));
         residual.row(i) -= length.cwiseProduct(image.row(i));
       }
-      correction = cycle(0, residual);
+      correction = approximate(residual);
       const Numbers before = energy;
       energy = dot(residual, correction);
       const Row kept = ratio(energy, before);
@@ -77,13 +86,19 @@ public:
     return m_largest_error * x.leftCols<3>().cast<double>();
   }
 
+  /// \brief returns an approximate solution, by one cycle, in the units of the finest level.
+  ///
+  /// As the gradients need it, it is linear in `b`, symmetric and positive definite, whatever the signs of
+  /// the links: relaxation never takes a cell more than 4/3 of the way, so that one sweep before and one
+  /// after a correction that is positive definite are, too, and so is an even number of sweeps alone.
+  Vectors approximate(const Vectors& b) const { return cycle(0, b); }
+
 private:
-  using Vectors = Eigen::Matrix<float, Eigen::Dynamic, 4, Eigen::RowMajor>;
   using Row = Eigen::Matrix<float, 1, 4>;
   using Numbers = Eigen::Array<double, 1, 4>;
 
   static constexpr int most_steps = 1000;
-  static constexpr int sweeps_on_coarsest = 5; // and one before
+  static constexpr int sweeps_on_coarsest = 5; // and one before: an even number in all
 
   /// the system of a level: areas, and links that carry the difference of their ends.
   class Level
@@ -99,6 +114,7 @@ private:
       m_ends.reserve(links);
       m_strengths.reserve(links);
       double sum_of_ratios = 0;
+      Eigen::Index number_linked = 0;
       for(Eigen::Index i = 0; i < number; ++i) {
         m_first_link.push_back(std::uint32_t(m_ends.size()));
         double sum = 0, sum_of_absolutes = 0;
@@ -110,14 +126,15 @@ private:
             sum += strength;
             sum_of_absolutes += std::abs(strength);
           }
-        // With the sum of the absolute values of a row instead of its diagonal no eigenvalue exceeds 1,
-        // whatever the signs of the links.
+        // Divided by the sum of the absolute values of its row instead of its diagonal, the system has no
+        // eigenvalue beyond 1, whatever the signs of the links.
         const double area = area_factor * cells.areas[i];
         m_relaxation[i] = float(4. / 3 / (area + std::abs(sum) + sum_of_absolutes));
         sum_of_ratios += sum_of_absolutes / area;
+        number_linked += sum_of_absolutes > 0 ? 1 : 0;
       }
       m_first_link.push_back(std::uint32_t(m_ends.size()));
-      m_is_dominated_by_areas = sum_of_ratios < 2 * double(number);
+      m_is_dominated_by_areas = sum_of_ratios <= 2 * double(number_linked);
     }
 
     Eigen::Index size() const { return m_areas.size(); }
@@ -125,8 +142,14 @@ private:
     /// whether the links are so weak that relaxation alone is enough.
     bool is_dominated_by_areas() const { return m_is_dominated_by_areas; }
 
-    /// the cell of the next level that a cell is a part of.
-    Eigen::Index parent(Eigen::Index i) const { return m_cells.parents[std::size_t(i)]; }
+    /// calls `function(i, parent)` for each cell that is a part of a cell of the next level.
+    template <class Function>
+    void for_each_parent(Function&& function) const
+    {
+      for(Eigen::Index i = 0; i < size(); ++i)
+        if(m_cells.parents[std::size_t(i)] != Linked_cells::no_parent)
+          function(i, Eigen::Index(m_cells.parents[std::size_t(i)]));
+    }
 
     float relaxation(Eigen::Index i) const { return m_relaxation[i]; }
 
@@ -167,8 +190,7 @@ private:
     return (denominator > 0).select(numerator / denominator, 0.).cast<float>();
   }
 
-  /// \brief an approximate solution, by relaxation on the level and a correction from the coarser ones;
-  /// linear and symmetric in `b`, as the gradients need it.
+  /// an approximate solution, by relaxation on the level and a correction from the coarser ones.
   Vectors cycle(std::size_t l, const Vectors& b) const
   {
     const Level& level = m_levels[l];
@@ -177,13 +199,14 @@ private:
     for(Eigen::Index i = 0; i < b.rows(); ++i)
       x.row(i) = level.relaxation(i) * b.row(i);
     if(!is_coarsest) {
+      level.for_each_image(
+          x, [&](Eigen::Index i, const Row& image) { relaxed.row(i) = b.row(i) - image; });
       Vectors sums = Vectors::Zero(m_levels[l + 1].size(), 4);
-      level.for_each_image(x, [&](Eigen::Index i, const Row& image) {
-        sums.row(level.parent(i)) += b.row(i) - image;
-      });
+      level.for_each_parent(
+          [&](Eigen::Index i, Eigen::Index parent) { sums.row(parent) += relaxed.row(i); });
       const Vectors correction = cycle(l + 1, sums);
-      for(Eigen::Index i = 0; i < b.rows(); ++i)
-        x.row(i) += correction.row(level.parent(i));
+      level.for_each_parent(
+          [&](Eigen::Index i, Eigen::Index parent) { x.row(i) += correction.row(parent); });
     }
     for(int sweep = 0; sweep < (is_coarsest ? sweeps_on_coarsest : 1); ++sweep) {
       level.for_each_image(x, [&](Eigen::Index i, const Row& image) {

@@ -54,15 +54,16 @@ public:
   };
 
   /// \param areas not negative; one for each cell
+  /// \param cell_of the cell of each element: several may share one; empty if each has its own
   /// \throw std::invalid_argument if there are 2^31 links or more, counted at both ends, with the cells.
-  Heat_flow(const std::vector<double>& areas, Links&& links)
-      : m_cells(linked_cells(areas, std::move(links)))
+  Heat_flow(const std::vector<double>& areas, Links&& links, std::vector<std::size_t> cell_of = {})
+      : m_cells(linked_cells(areas, std::move(links))), m_cell_of(std::move(cell_of))
   {}
 
-  /// \brief returns what becomes of `values` in `time`, in squared units of length, by one implicit
-  /// step: the solution of `(areas + time · links) x = areas · values`.
+  /// \brief returns what becomes of the `values` of the elements in `time`, in squared units of length, by one implicit step:
+  /// the solution of `(areas + time · links) x = areas · values`.
   ///
-  /// The mean over the surface is kept. In the plane a point spreads to a variance of `2 time` along each
+  /// Elements that share a cell have the mean of their values. The mean over the surface is kept. In the plane a point spreads to a variance of `2 time` along each
   /// axis.
   /// \param largest_error the root of the mean, over the surface, of the squared error of each column of the
   /// solution, as far as can be estimated; not less than about a millionth of the differences of the values
@@ -73,12 +74,40 @@ public:
   {
     if(values.rows() == 0)
       return values;
+    if(m_cell_of.empty())
+      return diffused_between_cells(values, time, largest_error);
+    return of_elements(diffused_between_cells(of_cells(values), time, largest_error));
+  }
+
+private:
+  Vectors diffused_between_cells(const Vectors& values, double time, double largest_error) const
+  {
     // What changes is found rather than the result: so that values may be far from zero.
     const Vectors change = -time * (m_cells.levels().front().conductances * values);
     return values + Implicit_step(m_cells, time, largest_error).solve(change);
   }
 
-private:
+  /// the means of the values of the elements of each cell.
+  Vectors of_cells(const Vectors& values) const
+  {
+    const Eigen::Index number = m_cells.levels().front().size();
+    Vectors means = Vectors::Zero(number, 3);
+    Eigen::VectorXd elements = Eigen::VectorXd::Zero(number);
+    for(std::size_t i = 0; i < m_cell_of.size(); ++i) {
+      means.row(Eigen::Index(m_cell_of[i])) += values.row(Eigen::Index(i));
+      ++elements[Eigen::Index(m_cell_of[i])];
+    }
+    return elements.cwiseMax(1).cwiseInverse().asDiagonal() * means;
+  }
+
+  Vectors of_elements(const Vectors& values) const
+  {
+    Vectors result(Eigen::Index(m_cell_of.size()), 3);
+    for(std::size_t i = 0; i < m_cell_of.size(); ++i)
+      result.row(Eigen::Index(i)) = values.row(Eigen::Index(m_cell_of[i]));
+    return result;
+  }
+
   static Linked_cells linked_cells(const std::vector<double>& areas, Links&& links)
   {
     const Eigen::Index number = Eigen::Index(areas.size());
@@ -97,6 +126,7 @@ private:
   }
 
   Cell_hierarchy m_cells;
+  std::vector<std::size_t> m_cell_of;
 };
 
 inline void set_row(Heat_flow::Vectors& vectors, std::size_t i, const Vector_3& v)

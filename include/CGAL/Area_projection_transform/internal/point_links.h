@@ -9,8 +9,10 @@
 
 #include <CGAL/Area_projection_transform/Surfels.h>
 #include <CGAL/Area_projection_transform/internal/Heat_flow.h>
+#include <CGAL/Area_projection_transform/internal/Oriented_places.h>
 #include <CGAL/Area_projection_transform/internal/point_neighbours.h>
 
+#include <algorithm>
 #include <cstddef>
 #include <utility>
 #include <vector>
@@ -21,31 +23,39 @@ namespace internal {
 
 /// \brief the flow of heat between neighbouring surfels.
 ///
-/// Each surfel is linked with its nearest ones that face the same way, so that the two sides of a thin
-/// sheet stay apart. Links are as strong as makes the second differences of the surfel and its
-/// neighbours, on a plane, those of the Laplacian: `Σ w (u_j − u_i) = area Δu` for a quadratic `u`.
+/// Copies of a surfel are one cell. Each cell is linked with the nearest ones that face the same way, so
+/// that the two sides of a thin sheet stay apart. Links are as strong as makes the second differences of
+/// the cell and its neighbours, on a plane, those of the Laplacian: `Σ w (u_j − u_i) = area Δu` for a
+/// quadratic `u`.
 inline Heat_flow flow_between_elements(const Surfels& surfels)
 {
   constexpr std::size_t number_of_neighbours = 8;
-  Heat_flow::Links links(surfels.size());
+  constexpr double largest = 1e3; // within heaps: they need not be coupled better
+  Oriented_places places(surfels.positions, surfels.normals);
+  const std::size_t number = places.positions.size();
+  std::vector<double> areas(number, 0.);
+  for(std::size_t i = 0; i < surfels.size(); ++i)
+    areas[places.index_of[i]] += surfels.areas[i];
+  Heat_flow::Links links(number);
   if(surfels.empty())
-    return Heat_flow(surfels.areas, std::move(links));
-  const Point_neighbours neighbours(surfels.positions);
+    return Heat_flow(areas, std::move(links));
+  const Point_neighbours neighbours(places.positions);
   std::vector<Point_neighbours::Neighbour> found;
-  for(std::size_t i = 0; i < surfels.size(); ++i) {
+  for(std::size_t i = 0; i < number; ++i) {
     neighbours.find(i, number_of_neighbours, found);
     double squared_distances = 0;
     for(const Point_neighbours::Neighbour& neighbour : found)
-      if(surfels.normals[i] * surfels.normals[neighbour.index] > 0)
+      if(places.normals[i] * places.normals[neighbour.index] > 0)
         squared_distances += neighbour.squared_distance;
     if(!(squared_distances > 0))
       continue;
     // Half from either end, as links go both ways.
+    const double conductance = std::min(2 * areas[i] / squared_distances, largest);
     for(const Point_neighbours::Neighbour& neighbour : found)
-      if(surfels.normals[i] * surfels.normals[neighbour.index] > 0)
-        links.add(i, neighbour.index, 2 * surfels.areas[i] / squared_distances);
+      if(places.normals[i] * places.normals[neighbour.index] > 0)
+        links.add(i, neighbour.index, conductance);
   }
-  return Heat_flow(surfels.areas, std::move(links));
+  return Heat_flow(areas, std::move(links), std::move(places.index_of));
 }
 
 } // namespace internal

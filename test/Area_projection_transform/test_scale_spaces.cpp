@@ -323,6 +323,34 @@ TEST(Averaged_normals, take_the_normals_of_the_user)
   EXPECT_LT((seen.normals[7] - Vector_3(0, 0.6, 0.8)).squared_length(), 1e-12);
 }
 
+TEST(Averaged_normals, average_over_copies_of_points)
+{
+  const Surfels sphere = fibonacci_sphere(2000);
+  shapes::Random random(4);
+  Surfels copies;
+  for(int copy = 0; copy < 20; ++copy)
+    for(std::size_t i = 0; i < sphere.size(); ++i)
+      copies.push_back(sphere.positions[i],
+                       AP::internal::normalized(sphere.normals[i] + 0.3 * random.direction()),
+                       sphere.areas[i] / 20, std::uint32_t(copies.size()));
+  // As far as the points alone, although the nearest neighbours of each are its own copies.
+  Surfels radial = copies;
+  for(std::size_t i = 0; i < radial.size(); ++i)
+    radial.normals[i] = radial.positions[i] - CGAL::ORIGIN;
+  EXPECT_NEAR(length_of_normals(radial, 0.1), 1 / 1.2, 0.01);
+  const Surfels seen = Averaged_normals(copies)(1);
+  for(std::size_t i = 0; i < seen.size(); ++i)
+    EXPECT_GT(seen.normals[i] * radial.normals[i], std::cos(0.05)) << i;
+
+  // A tree of equal points would take a minute.
+  const Vector_3 up(0, 0, 1);
+  Surfels heap;
+  for(std::size_t i = 0; i < 100000; ++i)
+    heap.push_back(Point_3(1, 2, 3), up, 1, std::uint32_t(i));
+  EXPECT_EQ(Averaged_normals(heap)(1).normals.back(), up);
+  EXPECT_TRUE(Averaged_normals(Surfels())(1).empty());
+}
+
 TEST(Averaged_normals, calm_the_noisy_normals_of_points)
 {
   shapes::Random random(3);
@@ -376,6 +404,14 @@ TEST(Mean_curvature_flow, leaves_rims_where_they_are)
       highest_after = std::max(highest_after, smooth.points[i].z());
     }
   EXPECT_NEAR(highest_after, highest_before, 0.1);
+}
+
+TEST(Mean_curvature_flow, gives_no_area_to_a_wire_that_is_gone)
+{
+  const Triangle_surface wire = surface_of(shapes::cylinder(300, 1, 100, false, 30));
+  const Triangle_surface seen = Mean_curvature_flow(wire)(100);
+  for(std::size_t t = 0; t < wire.size(); ++t)
+    EXPECT_LE(seen.areas[t], wire.areas[t]);
 }
 
 TEST(Mean_curvature_flow, keeps_the_ratio_between_the_areas_of_the_user_and_those_of_the_shape)

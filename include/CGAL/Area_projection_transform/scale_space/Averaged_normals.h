@@ -55,24 +55,18 @@ inline void drop_interpolated_normals(Triangle_surface& surface)
 /// \brief averages normals over a neighbourhood that grows with the radius, so that structures much
 /// smaller than the radius do not scatter what is projected (paper, section 4.1, figure 4 C).
 ///
-/// The normal of each element at radius `R` is the average over a neighbourhood *on the surface*,
-/// of the standard deviation `averaging_ratio · R` along either direction, so that its area grows
-/// with `R²`. The two sides of a thin plate, or two fingers that touch, are far from each other on
-/// the surface and do not mix. An element votes with its area times the cosine between its own
-/// normal and the averaged one, or not at all if that is negative: as much as it covers of the
-/// smooth surface that it is a part of.
+/// The normal of each element at radius `R` is the average over a neighbourhood *on the surface*, of the
+/// standard deviation `averaging_ratio · R` along either direction, so that its area grows with `R²`. The
+/// two sides of a thin plate, or two fingers that touch, are far from each other on the surface and do
+/// not mix. An element votes with its area times the cosine between its own normal and the averaged
+/// one, or not at all if that is negative: as much as it covers of the smooth surface that it is a part of.
 ///
-/// The paper leaves the form of the average open. Here it is one implicit step of the flow of heat:
-/// from triangle to triangle across edges, and across the gaps where faces are missing, so that a
-/// mesh that lost faces at random averages as far as before; or between the surfels of a point set
-/// and their nearest neighbours that face the same way. Normals that the user gave are averaged
-/// like any others. Positions stay as they are; on a sphere, a cylinder or a plane so do normals.
-///
-/// The normal of a triangle stays constant on it: one that is much larger than the neighbourhood
-/// hardly turns, and then as a whole. Under noise of a fifth of the mean edge the joint map of
-/// scanned shapes is off by 7 % instead of 17 %, at radii of some ten edges by 2 % instead of 15 %;
-/// of the map of a clean surface averaging changes 11 %. Where that is too much a smaller ratio is
-/// a compromise (0.15: 9, 3 and 7 %).
+/// The paper leaves the form of the average open. Here it is one implicit step of the flow of heat, from
+/// triangle to triangle across edges (and across the gaps where faces are missing, so that a mesh that
+/// lost faces at random averages as far as it did before), or between the surfels of a point set and their
+/// nearest neighbours that face the same way; copies of a surfel share one normal. Normals that the user
+/// gave are averaged like any others. Positions stay as they are; on a sphere, a cylinder or a plane so
+/// do normals.
 ///
 /// \tparam Source_ `Triangle_surface` or `Surfels`
 /// \cgalModels `SurfaceSmoother`
@@ -88,7 +82,7 @@ public:
   /// \param averaging_ratio the standard deviation of the neighbourhood, in units of the radius
   /// \throw std::invalid_argument if `averaging_ratio` is not positive.
   ///
-  /// Complexity: linear in the number of triangles, `O(n log n)` in that of surfels.
+  /// Complexity: `O(n log n)` for `n` triangles or surfels.
   explicit Averaged_normals(Source source, double averaging_ratio = default_averaging_ratio)
       : m_source(std::move(source))
       , m_averaging_ratio(averaging_ratio)
@@ -111,8 +105,11 @@ public:
   /// \throw std::invalid_argument if `radius` is not positive.
   /// \throw std::runtime_error if the average does not converge, as may happen with needles.
   ///
-  /// Complexity: linear in the number of elements, times that of elements across `averaging_ratio ·
-  /// radius`. May be called concurrently.
+  /// Averages are found up to a tenth of a degree in the root of the mean square: so far they may depend on
+  /// the order of the elements.
+  ///
+  /// Complexity: linear in the number of elements; the number of steps of the solver is at most about 5 for
+  /// common radii, 25 where the radius is much larger than the surface. May be called concurrently.
   Source operator()(double radius) const
   {
     internal::check_positive(radius, "radius");

@@ -14,6 +14,7 @@
 #include <CGAL/Area_projection_transform/internal/vertex_links.h>
 #include <CGAL/Area_projection_transform/scales.h>
 
+#include <algorithm>
 #include <cmath>
 #include <cstddef>
 #include <cstdint>
@@ -35,8 +36,10 @@ namespace Area_projection {
 /// `R` loses 0.7 % of its radius instead of 8 %; and vertices move along the normals of the
 /// smoothed surface only, so that the rims of holes do not draw back.
 ///
-/// Triangles keep their place in the order and their sources; they vote with the area they have when
-/// smoothed, times the ratio that the user gave them over their own.
+/// Triangles keep their place in the order and their sources. They vote with the area that they have when
+/// smoothed, but no more than before: under the flow no part of a surface grows, whereas the normals along
+/// which vertices move are noise where a wire has shrunk to nothing. Where the user gave a triangle an
+/// area, it shrinks by the same factor; triangles without extent do not vote.
 ///
 /// \cgalModels `SurfaceSmoother`
 class Mean_curvature_flow
@@ -50,7 +53,7 @@ public:
   /// \param smoothing_ratio the standard deviation to which a bump spreads, in units of the radius
   /// \throw std::invalid_argument if `smoothing_ratio` is not positive.
   ///
-  /// Complexity: linear in the number of triangles.
+  /// Complexity: `O(n log n)` for `n` triangles or points.
   explicit Mean_curvature_flow(Triangle_surface source,
                                double smoothing_ratio = default_smoothing_ratio)
       : m_source(std::move(source))
@@ -73,8 +76,11 @@ public:
   /// \throw std::invalid_argument if `radius` is not positive.
   /// \throw std::runtime_error if the step does not converge, as may happen with needles.
   ///
-  /// Complexity: linear in the number of vertices, times that of vertices across `smoothing_ratio ·
-  /// radius`. May be called concurrently.
+  /// The surface is found up to a thousandth of the deviation, `smoothing_ratio · radius`, in the root of the
+  /// mean square: so far it may depend on the order of the triangles.
+  ///
+  /// Complexity: linear in the number of triangles and points; the number of steps of the solver is about
+  /// 10, and 20 to 40 where the radius is much larger than the surface. May be called concurrently.
   Triangle_surface operator()(double radius) const
   {
     internal::check_positive(radius, "radius");
@@ -96,7 +102,7 @@ public:
 private:
   using Vectors = internal::Heat_flow::Vectors;
 
-  /// leaves of the way that each point has come what is along the normal there.
+  /// keeps of the way that each point has gone only the part along the normal there.
   void move_back_along_surface(Triangle_surface& surface) const
   {
     std::vector<Vector_3> normals(surface.points.size(), Vector_3(0, 0, 0));
@@ -119,7 +125,7 @@ private:
       const Vector_3 normal = internal::doubled_area_vector(surface, t);
       const double doubled_area = std::sqrt(normal.squared_length());
       const double before = std::sqrt(internal::doubled_area_vector(m_source, t).squared_length());
-      surface.areas[t] *= before > 0 ? doubled_area / before : 0;
+      surface.areas[t] *= before > 0 ? std::min(1., doubled_area / before) : 0;
       if(doubled_area > 0)
         surface.normals[t] = normal / doubled_area;
     }

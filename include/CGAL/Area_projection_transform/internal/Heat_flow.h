@@ -55,18 +55,20 @@ public:
 
   /// \param areas not negative; one for each cell
   /// \param cell_of the cell of each element: several may share one; empty if each has its own
-  /// \throw std::invalid_argument if there are 2^31 links or more, counted at both ends, with the cells.
+  /// \throw std::invalid_argument if there are 2^31 links or more, counted at both ends, with the
+  /// cells.
   Heat_flow(const std::vector<double>& areas, Links&& links, std::vector<std::size_t> cell_of = {})
       : m_cells(linked_cells(areas, std::move(links))), m_cell_of(std::move(cell_of))
   {}
 
-  /// \brief returns what becomes of the `values` of the elements in `time`, in squared units of length, by one implicit step:
-  /// the solution of `(areas + time · links) x = areas · values`.
+  /// \brief returns what becomes of the `values` of the elements in `time`, in squared units of
+  /// length, by one implicit step: the solution of `(areas + time · links) x = areas · values`.
   ///
-  /// Elements that share a cell have the mean of their values. The mean over the surface is kept. In the plane a point spreads to a variance of `2 time` along each
-  /// axis.
-  /// \param largest_error the root of the mean, over the surface, of the squared error of each column of the
-  /// solution, as far as can be estimated; not less than about a millionth of the differences of the values
+  /// Elements that share a cell have the mean of their values. The mean over the surface is kept.
+  /// In the plane a point spreads to a variance of `2 time` along each axis.
+  /// \param largest_error the root of the mean, over the surface, of the squared error of each
+  /// column of the solution, as far as can be estimated; not less than about a millionth of the
+  /// differences of the values
   /// \throw std::runtime_error if the solver does not converge.
   ///
   /// Complexity: linear in the number of cells and links.

@@ -36,8 +36,8 @@ class Implicit_step
 public:
   using Vectors = Eigen::Matrix<float, Eigen::Dynamic, 4, Eigen::RowMajor>;
 
-  /// \param largest_error the root of the mean squared error of each column of the solution over the surface;
-  /// not less than about a millionth of what is in the solution, or floats cannot tell
+  /// \param largest_error the root of the mean squared error of each column of the solution over
+  /// the surface; not less than about a millionth of what is in the solution, or floats cannot tell
   Implicit_step(const Cell_hierarchy& cells, double time, double largest_error)
       : m_unit_of_area(cells.levels().front().areas.mean()), m_largest_error(largest_error)
   {
@@ -50,9 +50,9 @@ public:
 
   /// \brief returns the solution.
   ///
-  /// The error is estimated, not bounded. Measured, it is at most what is allowed on meshes, noisy ones and those
-  /// that lack most of their faces, too, at any time; up to four times that on wires and needles much
-  /// thinner than the deviation.
+  /// The error is estimated, not bounded. Measured, it is at most what is allowed on meshes, noisy
+  /// ones and those that lack most of their faces, too, at any time; up to four times that on wires
+  /// and needles much thinner than the deviation.
   /// \throw std::runtime_error if the solution is not found.
   Cell_vectors solve(const Cell_vectors& b) const
   {
@@ -88,9 +88,10 @@ public:
 
   /// \brief returns an approximate solution, by one cycle, in the units of the finest level.
   ///
-  /// As the gradients need it, it is linear in `b`, symmetric and positive definite, whatever the signs of
-  /// the links: relaxation never takes a cell more than 4/3 of the way, so that one sweep before and one
-  /// after a correction that is positive definite are, too, and so is an even number of sweeps alone.
+  /// As the gradients need it, it is linear in `b`, symmetric and positive definite, whatever the
+  /// signs of the links: relaxation never takes a cell more than 4/3 of the way, so that one sweep
+  /// before and one after a correction that is positive definite are, too, and so is an even number
+  /// of sweeps alone.
   Vectors approximate(const Vectors& b) const { return cycle(0, b); }
 
 private:

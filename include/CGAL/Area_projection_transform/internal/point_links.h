@@ -23,10 +23,10 @@ namespace internal {
 
 /// \brief the flow of heat between neighbouring surfels.
 ///
-/// Copies of a surfel are one cell. Each cell is linked with the nearest ones that face the same way, so
-/// that the two sides of a thin sheet stay apart. Links are as strong as makes the second differences of
-/// the cell and its neighbours, on a plane, those of the Laplacian: `Σ w (u_j − u_i) = area Δu` for a
-/// quadratic `u`.
+/// Copies of a surfel are one cell. Each cell is linked with the nearest ones that face the same
+/// way, so that the two sides of a thin sheet stay apart. Links are as strong as makes the second
+/// differences of the cell and its neighbours, on a plane, those of the Laplacian: `Σ w (u_j − u_i)
+/// = area Δu` for a quadratic `u`.
 inline Heat_flow flow_between_elements(const Surfels& surfels)
 {
   constexpr std::size_t number_of_neighbours = 8;

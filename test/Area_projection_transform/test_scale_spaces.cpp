@@ -517,7 +517,7 @@ TEST(Smoothing_scale_space, bears_needles_flaps_and_lone_triangles)
       EXPECT_TRUE(seen.areas[t] >= 0 && std::isfinite(seen.areas[t])) << t;
     }
   };
-  for(const double radius : {1e-4, 0.03, 1., 100.}) {
+  for(const double radius : {1e-4, 0.03, 1., 100., 1e20}) {
     expect_sound(Averaged_normals(surface)(radius));
     expect_sound(Mean_curvature_flow(surface)(radius));
   }
@@ -533,6 +533,9 @@ TEST(Smoothing_scale_space, rejects_what_is_out_of_range)
   EXPECT_EQ(shapes::complaint([&] { Smoothing_scale_space(Averaged_normals(sphere)).area(0); }),
             "radius is 0.000000: must be positive and finite");
   EXPECT_EQ(Smoothing_scale_space(Averaged_normals(Triangle_surface())).area(1), 0);
+  const Soup needle{{{0, 0, 0}, {1, 1, 1}, {2, 2, 2}}, {{0, 1, 2}}}; // no face of it is left
+  EXPECT_EQ(Smoothing_scale_space(Averaged_normals(surface_of(needle))).area(1), 0);
+  EXPECT_EQ(Smoothing_scale_space(Mean_curvature_flow(surface_of(needle))).area(1), 0);
 }
 
 // ---------------------------------------------------------------- the scale space itself

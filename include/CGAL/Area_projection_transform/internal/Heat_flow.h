@@ -11,6 +11,7 @@
 #include <CGAL/Area_projection_transform/internal/Cell_hierarchy.h>
 #include <CGAL/Area_projection_transform/internal/Implicit_step.h>
 
+#include <algorithm>
 #include <cstddef>
 #include <cstdint>
 #include <limits>
@@ -84,6 +85,8 @@ public:
 private:
   Vectors diffused_between_cells(const Vectors& values, double time, double largest_error) const
   {
+    // By then all is even, on rods and strips, too; and the solver works in floats.
+    time = std::min(time, 1e6 * m_cells.levels().front().areas.sum());
     // What changes is found rather than the result: so that values may be far from zero.
     const Vectors change = -time * (m_cells.levels().front().conductances * values);
     return values + Implicit_step(m_cells, time, largest_error).solve(change);

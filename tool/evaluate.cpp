@@ -236,6 +236,8 @@ void report_parameters(const Evaluate_options& options, const std::vector<AP::Qu
                                   {"sigma_ratio", options.sigma_ratio},
                                   {"sampling_ratio", options.sampling_ratio},
                                   {"threads", number_of_threads(options.common.threads)}};
+  if(const auto ratio = options.surface.used_smoothing_ratio())
+    console.report["parameters"]["smoothing_ratio"] = *ratio;
   console.report["queries"] = {{"file", options.queries}, {"points", queries.size()}};
   console.row("points", options.queries + ": " + counted(queries.size(), "row", "rows"));
   console.row("method",

@@ -82,8 +82,8 @@ std::shared_ptr<const Surface> averaged(Source source, const Surface_options& op
                                         std::size_t threads)
 {
   using Smoother = AP::Averaged_normals<Source>;
-  const double ratio = options.smoothing_ratio.value_or(Smoother::default_averaging_ratio);
-  return as_surface(AP::Smoothing_scale_space(Smoother(std::move(source), ratio), threads));
+  return as_surface(AP::Smoothing_scale_space(
+      Smoother(std::move(source), *options.used_smoothing_ratio()), threads));
 }
 
 std::shared_ptr<const Surface> surface_of_points(const Input& input, const Surface_options& options,
@@ -99,6 +99,15 @@ std::shared_ptr<const Surface> surface_of_points(const Input& input, const Surfa
 }
 
 } // namespace
+
+std::optional<double> Surface_options::used_smoothing_ratio() const
+{
+  if(!is_smoothing())
+    return std::nullopt;
+  return smoothing_ratio.value_or(normals == "averaged"
+                                      ? AP::Averaged_normals<>::default_averaging_ratio
+                                      : AP::Mean_curvature_flow::default_smoothing_ratio);
+}
 
 void add_surface_options(CLI::App& app, Surface_options& options)
 {
@@ -140,10 +149,7 @@ std::shared_ptr<const Surface> make_surface(const Input& input, const Surface_op
     return averaged(std::move(surface), options, threads);
   if(options.normals == "smoothed")
     return as_surface(AP::Smoothing_scale_space(
-        AP::Mean_curvature_flow(
-            std::move(surface),
-            options.smoothing_ratio.value_or(AP::Mean_curvature_flow::default_smoothing_ratio)),
-        threads));
+        AP::Mean_curvature_flow(std::move(surface), *options.used_smoothing_ratio()), threads));
   return as_surface(AP::Constant_scale_space(std::move(surface)));
 }
 

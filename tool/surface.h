@@ -31,6 +31,8 @@ struct Surface_options
   std::optional<double> smoothing_ratio; // of the radius; default: that of the library
 
   bool is_smoothing() const { return normals == "averaged" || normals == "smoothed"; }
+  /// the ratio that counts, if any does.
+  std::optional<double> used_smoothing_ratio() const;
 };
 
 /// adds --normals and --smoothing-ratio.

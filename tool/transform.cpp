@@ -73,8 +73,8 @@ void report_parameters(const Transform_plan& plan, const Transform_options& opti
   json["side"] = options.side;
   json["region"] = plan.region_name;
   json["normals"] = options.surface.normals;
-  if(options.surface.smoothing_ratio)
-    json["smoothing_ratio"] = *options.surface.smoothing_ratio;
+  if(const auto ratio = options.surface.used_smoothing_ratio())
+    json["smoothing_ratio"] = *ratio;
   json["is_compensated"] = options.is_compensated;
   json["method"] = options.method;
   json["kernel"] = options.kernel;

@@ -66,8 +66,8 @@ void add_parameters(Grid_image& image, const Transform_plan& plan, const Transfo
     image.add_metadata("sigma_ratio", options.scales.sigma_ratio);
   image.add_metadata("side", options.side);
   image.add_metadata("normals", options.surface.normals);
-  if(options.surface.smoothing_ratio)
-    image.add_metadata("smoothing_ratio", *options.surface.smoothing_ratio);
+  if(const auto ratio = options.surface.used_smoothing_ratio())
+    image.add_metadata("smoothing_ratio", *ratio);
   if(options.is_compensated)
     image.add_metadata("divided_by_coverage", *plan.coverage);
   image.add_metadata("method", options.method);

@@ -52,6 +52,14 @@ class Smoothing(Test):
         # Each point votes with the cosine between its normal and the averaged one, which is radial.
         self.assertAlmostEqual(calm, sum(cosines) / len(cosines), delta=0.05)
 
+    def test_the_ratio_is_reported(self):
+        for normals, ratio in (("face", None), ("averaged", 0.25), ("smoothed", 0.3)):
+            report = self.report("transform", self.bumpy, "-R", 1, "--voxel", 0.5, "--normals", normals)
+            self.assertEqual(report["parameters"].get("smoothing_ratio"), ratio)
+        report = self.report("transform", self.bumpy, "-R", 1, "--voxel", 0.5, "--normals", "averaged",
+                             "--smoothing-ratio", 1e30)
+        self.assertEqual(report["parameters"]["smoothing_ratio"], 1e30)
+
     def test_missing_faces_are_compensated(self):
         half = self.write("half.off", off(self.points, self.faces[::2]))
         plain = self.report("transform", half, "-R", 1, "--voxel", 0.1)

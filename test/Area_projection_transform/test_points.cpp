@@ -519,6 +519,23 @@ TEST(Normals_from_points, are_unit_vectors_or_listed_for_any_points)
   }
 }
 
+// The squares of such lengths are less than the least number, or greater than the largest.
+TEST(Normals_from_points, bear_tiny_and_huge_clouds)
+{
+  for(const double size : {1e-300, 1e-170, 1e-155, 1e-135, 1e100, 1e139, 1e160, 1e300}) {
+    Cloud cloud = sphere(100, 3);
+    for(Point_3& p : cloud.points)
+      p = CGAL::ORIGIN + size * (p - CGAL::ORIGIN);
+    Cloud ball = sphere(100, 4);
+    cloud.points.insert(cloud.points.end(), ball.points.begin(), ball.points.end());
+    if(size < 1e140) {
+      EXPECT_EQ(AP::normals_from_points(cloud.points).normals.size(), 200u) << size;
+    } else {
+      EXPECT_THROW(AP::normals_from_points(cloud.points), std::invalid_argument) << size;
+    }
+  }
+}
+
 TEST(Normals_from_points, takes_points_of_any_kernel)
 {
   const Cloud ball = sphere(300, 96);

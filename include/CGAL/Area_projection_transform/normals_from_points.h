@@ -44,7 +44,8 @@ struct Estimated_normals
 /// \cond SKIP_IN_MANUAL
 namespace internal {
 
-/// the positions that the named parameter `point_map` tells.
+/// the positions that the named parameter `point_map` tells. The fit of CGAL 5.5 crashes where squares of
+/// differences vanish or overflow: small coordinates are 0, and large ones are refused.
 template <class PointRange, class NamedParameters>
 std::vector<Point_3> finite_points(const PointRange& points, const NamedParameters& np)
 {
@@ -57,7 +58,12 @@ std::vector<Point_3> finite_points(const PointRange& points, const NamedParamete
     const Point_3 p = to_point(get(point_map, element));
     if(!std::isfinite(p.x() + p.y() + p.z()))
       throw std::invalid_argument("point " + std::to_string(result.size()) + " is not finite");
-    result.push_back(p);
+    for(const double c : {p.x(), p.y(), p.z()})
+      if(std::abs(c) > 1e140)
+        throw std::invalid_argument("point " + std::to_string(result.size()) +
+                                    " has a coordinate beyond 1e140: too large for an estimate");
+    const auto kept = [](double c) { return std::abs(c) < 1e-140 ? 0 : c; };
+    result.emplace_back(kept(p.x()), kept(p.y()), kept(p.z()));
   }
   return result;
 }
@@ -127,7 +133,7 @@ std::vector<Vector_3> fit_normals(const std::vector<Point_3>& positions,
 /// \tparam ConcurrencyTag `CGAL::Sequential_tag`, `CGAL::Parallel_tag` or
 /// `CGAL::Parallel_if_available_tag`; the sides are carried over in one thread
 /// \tparam PointRange a range whose elements are the keys of the map
-/// \param points the elements; copies of a point share its normal
+/// \param points the elements; copies of a point share its normal; coordinates below `1e-140` count as 0
 /// \param k the number of neighbours, at least 6, or all if there are fewer: more of them smooth more
 /// noise, fewer see finer shapes
 /// \param np an optional named parameter:
@@ -139,8 +145,8 @@ std::vector<Vector_3> fit_normals(const std::vector<Point_3>& positions,
 /// \cgalNamedParamsEnd
 /// \return the normals in the order of the points. There is no answer for points whose neighbours are
 /// on one line, and for parts of fewer than four points.
-/// \throw std::invalid_argument if `k` is less than 6, a position is not finite, or there are not
-/// seven different positions.
+/// \throw std::invalid_argument if `k` is less than 6, a position is not finite or has a coordinate beyond
+/// `1e140`, or there are not seven different positions.
 ///
 /// Complexity: `O(n log n)`, for a fixed `k`.
 template <class ConcurrencyTag = CGAL::Sequential_tag, class PointRange,

@@ -20,10 +20,13 @@
 #include <gtest/gtest.h>
 
 #include <atomic>
+#include <chrono>
+#include <cmath>
 #include <thread>
 
 #ifdef CGAL_LINKED_WITH_TBB
 #include <tbb/global_control.h>
+#include <tbb/parallel_for.h>
 #endif
 
 namespace {
@@ -323,6 +326,20 @@ TEST(Averaged_normals, take_the_normals_of_the_user)
   EXPECT_LT((seen.normals[7] - Vector_3(0, 0.6, 0.8)).squared_length(), 1e-12);
 }
 
+TEST(Averaged_normals, do_not_depend_on_the_order_of_points)
+{
+  shapes::Random random(8);
+  Surfels points = fibonacci_sphere(1000), reversed;
+  for(Vector_3& n : points.normals)
+    n = AP::internal::normalized(n + 0.5 * random.direction());
+  const std::size_t number = points.size();
+  for(std::size_t i = number; i-- > 0;)
+    reversed.push_back(points.positions[i], points.normals[i], points.areas[i], std::uint32_t(i));
+  const Surfels seen = Averaged_normals(points)(1), seen_reversed = Averaged_normals(reversed)(1);
+  for(std::size_t i = 0; i < number; ++i)
+    EXPECT_EQ(seen.normals[i], seen_reversed.normals[number - 1 - i]);
+}
+
 TEST(Averaged_normals, average_over_copies_of_points)
 {
   const Surfels sphere = fibonacci_sphere(2000);
@@ -595,6 +612,34 @@ TEST(Smoothing_scale_space, makes_each_surface_once_and_forgets_the_oldest)
   EXPECT_EQ(*smoother.calls, 5);
   EXPECT_EQ(in_use->size(), smoother.surface.size());
 }
+
+#ifdef CGAL_LINKED_WITH_TBB
+/// a smoother that works in parallel, on more pieces than there are threads.
+struct Parallel_smoother
+{
+  using Source = Triangle_surface;
+  Triangle_surface surface;
+
+  const Triangle_surface& source() const { return surface; }
+  Triangle_surface operator()(double) const
+  {
+    tbb::parallel_for(0, 64,
+                      [](int) { std::this_thread::sleep_for(std::chrono::milliseconds(1)); });
+    return surface;
+  }
+};
+
+// Who waits for the loop of the smoother must not take up a task that waits for the smoother: that would be
+// for ever.
+TEST(Smoothing_scale_space, takes_smoothers_that_work_in_parallel)
+{
+  const tbb::global_control limit(tbb::global_control::max_allowed_parallelism, 4);
+  const Smoothing_scale_space surface(Parallel_smoother{surface_of(shapes::icosphere(1))}, 2);
+  std::atomic<int> answers{0};
+  tbb::parallel_for(0, 100, [&](int i) { answers += surface.area(1 + i / 50) > 0 ? 1 : 0; });
+  EXPECT_EQ(answers, 100);
+}
+#endif
 
 TEST(Smoothing_scale_space, passes_on_what_its_smoother_throws_and_asks_again)
 {

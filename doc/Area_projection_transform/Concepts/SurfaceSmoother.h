@@ -21,7 +21,10 @@ public:
   /// the surface before smoothing.
   const Source& source() const;
 
-  /// \brief returns the surface as seen at `radius`: the elements of the source in their order, with the
-  /// places, normals and areas that they have then.
+  /// \brief returns the surface as seen at `radius`, a length in the unit of the source: the elements of the
+  /// source in their order, with the places, unit normals and areas that they have then.
+  ///
+  /// The same for the same radius, whatever was asked before. May throw, and be called again. It may work in
+  /// parallel with TBB.
   Source operator()(double radius) const;
 };

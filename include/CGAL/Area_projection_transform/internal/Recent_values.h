@@ -7,6 +7,8 @@
 #ifndef CGAL_AREA_PROJECTION_TRANSFORM_INTERNAL_RECENT_VALUES_H
 #define CGAL_AREA_PROJECTION_TRANSFORM_INTERNAL_RECENT_VALUES_H
 
+#include <CGAL/Area_projection_transform/internal/parallel_workers.h>
+
 #include <cstddef>
 #include <exception>
 #include <future>
@@ -21,18 +23,20 @@ namespace internal {
 
 /// \brief the last few values that were asked for, each computed once, by the first that asks.
 ///
-/// Whoever asks for a value that is being computed waits for it. May be used concurrently.
+/// Whoever asks for a value that is being computed waits for it. May be used concurrently. If more values
+/// are in use at a time than are kept, some are computed again.
 template <class Value>
 class Recent_values
 {
 public:
   using Pointer = std::shared_ptr<const Value>;
 
-  /// \param number how many values are kept; those in use live on
+  /// \param number how many values are kept, at least 1; those in use live on
   explicit Recent_values(std::size_t number) : m_number(number) {}
 
-  /// the value for `key`, which `compute()` returns if it is not known. An exception is passed on to all
-  /// who wait, and forgotten.
+  /// \brief returns the value for `key`, which is that of `compute()` if it is not known.
+  ///
+  /// An exception is passed on to all who wait, and forgotten.
   template <class Compute>
   Pointer get(double key, Compute&& compute)
   {
@@ -47,7 +51,10 @@ public:
     lock.unlock();
     if(is_new)
       try {
-        promise.set_value(std::make_shared<const Value>(compute()));
+        Pointer computed;
+        // A loop within must not take up work that asks for this very value, and waits for it.
+        run_isolated([&] { computed = std::make_shared<const Value>(compute()); });
+        promise.set_value(std::move(computed));
       } catch(...) {
         promise.set_exception(std::current_exception());
         lock.lock();

@@ -76,6 +76,18 @@ void for_each_index(std::size_t number, Work&& work)
     work(i);
 }
 
+/// \brief runs `work()`, which must not be interrupted by other work that this thread has in hand: one who
+/// waits in parallel loops of their own takes up what is there to do.
+template <class Work>
+void run_isolated(Work&& work)
+{
+#ifdef CGAL_LINKED_WITH_TBB
+  tbb::this_task_arena::isolate(work);
+#else
+  work();
+#endif
+}
+
 /// runs two pieces of work that have nothing to do with each other.
 template <class ConcurrencyTag, class First, class Second>
 void run_both(First&& first, Second&& second)

@@ -83,17 +83,18 @@ Row_spans covered_region(const Solids& solids, const Grid_3& grid, double distan
 /// A voxel is inside if at least three of the six rays from its centre along the axes leave
 /// the surface more often than they enter it. On a closed surface all six agree and this is the
 /// positive winding number; with parts missing it is an approximation, and `coverage` tells how
-/// much was missing. Where more than a quarter is, the rays of the neighbouring voxels count as well, and
-/// fewer than half of them are enough: with half of the faces removed at random nearly all voxels are
-/// right, unless the shape is no more than two or three voxels thick there. The triangles must face outward: the interior of a closed surface that faces inward is empty.
+/// much was missing. Where more than a quarter is, the rays of the neighbouring voxels count as
+/// well, and fewer than half of them are enough: with half of the faces removed at random nearly
+/// all voxels are right, unless the shape is no more than two or three voxels thick there. The
+/// triangles must face outward: the interior of a closed surface that faces inward is empty.
 ///
 /// \tparam ConcurrencyTag `CGAL::Sequential_tag`, `CGAL::Parallel_tag` or
 /// `CGAL::Parallel_if_available_tag`
 ///
 /// Complexity: linear in the number of grid lines through the faces and in that of the faces, for
 /// surfaces that are not closed also in the number of voxels of the grid. Memory: 50 bytes for each row
-/// of voxels and 24 for each line through a face; for surfaces that are not closed three times that, and
-/// 16 bytes more for each row and thread.
+/// of voxels and 24 for each line through a face; for surfaces that are not closed three times
+/// that, and 16 bytes more for each row and thread.
 template <class ConcurrencyTag = CGAL::Sequential_tag>
 Interior interior(const Triangle_surface& surface, const Grid_3& grid)
 {
@@ -129,7 +130,8 @@ Row_spans band(const Triangle_surface& surface, const Grid_3& grid, double dista
 }
 
 /// \ingroup PkgAreaProjectionTransformInput
-/// \brief returns the voxels within `distance` of a surface that is known by its surfels, on either side.
+/// \brief returns the voxels within `distance` of a surface that is known by its surfels, on either
+/// side.
 ///
 /// The surface is sampled at half a voxel, so a voxel may be missed whose distance is less by up to
 /// six tenths of a voxel. A point set is taken as it is.

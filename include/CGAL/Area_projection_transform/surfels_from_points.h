@@ -48,7 +48,8 @@ namespace Area_projection {
 /// \cgalNamedParamsEnd
 ///
 /// \throw std::invalid_argument if a position is not finite, a normal is null, an area is negative, or
-/// areas are to be estimated from fewer than two different positions. The message names the first such point.
+/// areas are to be estimated from fewer than two different positions. The message names the first
+/// such point.
 ///
 /// Complexity: linear with `area_map`, `O(n log n)` without.
 template <class PointRange, class NamedParameters>

@@ -47,9 +47,9 @@ struct Linked_cells
 /// \brief the same surface in cells that are larger from level to level, of about four cells of the
 /// level below.
 ///
-/// Cells that are alone are on no coarser level: there is nothing to be told of them. On the last
-/// level each component is one cell, or there are cells that do not find partners, as those around
-/// the hub of a star.
+/// Cells that are alone are on no coarser level: there is nothing to be told of them. On the last level
+/// each component is one cell, or there are cells that do not find partners, as those around the
+/// hub of a star.
 class Cell_hierarchy
 {
 public:
@@ -119,9 +119,9 @@ private:
 
   /// \brief finds the parents of some cells and returns the level that they make up.
   ///
-  /// The links between two cells of twice the area cross an edge that is sqrt(2) times as long and
-  /// lead sqrt(2) times as far: their conductance is the same. The sum of the links between the
-  /// parts of the two is sqrt(2) times that, and is divided by it.
+  /// The links between two cells of twice the area cross an edge that is sqrt(2) times as long and lead
+  /// sqrt(2) times as far: their conductance is the same. The sum of the links between the parts of
+  /// the two is sqrt(2) times that, and is divided by it.
   static Linked_cells coarser(Linked_cells& cells, Lone_cells lone_cells)
   {
     const std::int32_t number = find_parents(cells, lone_cells);

@@ -56,8 +56,10 @@ public:
       });
   }
 
-  /// calls `function(lower_vertex, begin, end)` with the sides on each edge, until it returns
+  /// \brief calls `function(lower_vertex, begin, end)` with the sides on each edge, until it returns
   /// `false`; returns whether it never did.
+  ///
+  /// The sides of an edge are in the order of their faces, as the edges are in that of their vertices.
   template <class Function>
   bool all_edges(Function&& function) const
   {

@@ -62,8 +62,9 @@ public:
     const double target = double(b.rows()); // an error of 1 over the area
     Vectors x = Vectors::Zero(b.rows(), 4), correction = approximate(residual);
     Vectors direction = correction, image(b.rows(), 4);
-    // The energy of the error is `residual · (solution of the residual)`, for which the cycle is taken: it
-    // is the sum of the square of the error over the surface, and of `time` times that of its slope.
+    // The energy of the error is `residual · (solution of the residual)`, for which the cycle is
+    // taken: it is the sum of the square of the error over the surface, and of `time` times that of
+    // its slope.
     Numbers energy = dot(residual, correction);
     for(int step = 0; !(energy <= target).all(); ++step) {
       if(step == most_steps || !energy.isFinite().all())
@@ -127,8 +128,8 @@ private:
             sum += strength;
             sum_of_absolutes += std::abs(strength);
           }
-        // Divided by the sum of the absolute values of its row instead of its diagonal, the system has no
-        // eigenvalue beyond 1, whatever the signs of the links.
+        // Divided by the sum of the absolute values of its row instead of its diagonal, the system
+        // has no eigenvalue beyond 1, whatever the signs of the links.
         const double area = area_factor * cells.areas[i];
         m_relaxation[i] = float(4. / 3 / (area + std::abs(sum) + sum_of_absolutes));
         sum_of_ratios += sum_of_absolutes / area;

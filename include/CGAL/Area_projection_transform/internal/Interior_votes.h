@@ -56,8 +56,8 @@ public:
                 Signed_crossings(tag, surface, grid, 2)}
   {}
 
-  /// calls `row(j, k, votes)` for each row of the layers from `first_layer` to `last_layer`, in order; `votes`
-  /// is a vector of numbers from 0 to 6.
+  /// calls `row(j, k, votes)` for each row of the layers from `first_layer` to `last_layer`, in
+  /// order; `votes` is a vector of numbers from 0 to 6.
   template <class Row>
   void for_each_row(int first_layer, int last_layer, Row&& row) const
   {

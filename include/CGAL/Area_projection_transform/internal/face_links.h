@@ -28,7 +28,8 @@ namespace internal {
 ///
 /// Where faces are missing, those on either side of a gap are linked at the vertices of its rim, as
 /// well as a missing face would have linked them: a mesh keeps its conductance on the large when
-/// faces are removed at random.
+/// faces are removed at random. Of very many faces at an edge or a rim vertex only the first few
+/// are linked, so that the cost is `O(n log n)` for any `n` faces.
 class Face_linker
 {
 public:

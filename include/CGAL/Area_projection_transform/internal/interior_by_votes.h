@@ -154,8 +154,8 @@ Voted_region neighbourhood_region(const Interior_votes& votes, const Grid_3& gri
 }
 
 /// \brief how much of a surface is there, if that much of it is missing at random that the voxels
-/// with three or more votes have the mean fraction `coverage` of all: what solves `coverage =
-/// E[votes | votes >= 3] / 6` for a binomial distribution of the votes.
+/// with three or more votes have the mean fraction `coverage` of all: what solves
+/// `coverage = E[votes | votes >= 3] / 6` for a binomial distribution of the votes.
 inline double observed_fraction(double coverage)
 {
   const auto expected = [](double f) {
@@ -175,9 +175,9 @@ inline double observed_fraction(double coverage)
 /// \brief the voxels that most directions see as inside.
 ///
 /// If more than a quarter of the surface is missing, its neighbours have a say in what a voxel is,
-/// and the limit falls with what is there: inside a fraction `f` of the directions vote for a
-/// voxel; outside, where a ray crosses the surface twice and only one of the crossings is there, `f
-/// (1 - f)` at most, and half as many where half of the rays miss. The limit is halfway between.
+/// and the limit falls with what is there: inside, a fraction `f` of the directions vote for a
+/// voxel; outside, where a ray crosses the surface twice and only one of the crossings is there,
+/// `f (1 - f)` at most, and half as many where half of the rays miss. The limit is halfway between.
 template <class ConcurrencyTag>
 Voted_region interior_by_votes(const Triangle_surface& surface, const Grid_3& grid)
 {

@@ -23,7 +23,8 @@ namespace internal {
 /// \brief returns for each point the one that stands for it: itself, or, on the rim of a gap, the first
 /// rim point at the same position.
 ///
-/// So the triangles of a soup find each other, and a surface that touches itself is not joined.
+/// So the triangles of a soup find each other, and a closed surface that touches itself is not joined.
+/// Positions must be equal to the last bit. Complexity: `O(n log n)`.
 inline std::vector<std::uint32_t> joined_points(const Triangle_surface& surface)
 {
   std::vector<bool> is_on_rim(surface.points.size(), false);

@@ -41,9 +41,9 @@ public:
   /// \brief hands the parallel surface at `radius`, as points about `spacing` apart, to
   /// `sink(const Projected_surfels&)`, batch by batch.
   ///
-  /// Pieces of surface that land close together are merged, large triangles are divided; of each
-  /// piece the mean and the covariance are told. The areas sum to the area of the surface. May be
-  /// called concurrently.
+  /// Pieces of surface that land close together are merged, large triangles are divided; of each piece
+  /// the mean and the covariance are told. The areas sum to the area of the surface. May be called
+  /// concurrently.
   ///
   /// \throw std::invalid_argument if `spacing` is not positive.
   ///

@@ -36,10 +36,11 @@ namespace Area_projection {
 /// `R` loses 0.7 % of its radius instead of 8 %; and vertices move along the normals of the
 /// smoothed surface only, so that the rims of holes do not draw back.
 ///
-/// Triangles keep their place in the order and their sources. They vote with the area that they have when
-/// smoothed, but no more than before: under the flow no part of a surface grows, whereas the normals along
-/// which vertices move are noise where a wire has shrunk to nothing. Where the user gave a triangle an
-/// area, it shrinks by the same factor; triangles without extent do not vote.
+/// Triangles keep their place in the order and their sources. They vote with the area that they
+/// have when smoothed, but no more than before: under the flow no part of a surface grows, whereas
+/// the normals along which vertices move are noise where a wire has shrunk to nothing. Where the
+/// user gave a triangle an area, it shrinks by the same factor; triangles without extent do not
+/// vote.
 ///
 /// \cgalModels `SurfaceSmoother`
 class Mean_curvature_flow
@@ -76,11 +77,12 @@ public:
   /// \throw std::invalid_argument if `radius` is not positive.
   /// \throw std::runtime_error if the step does not converge, as may happen with needles.
   ///
-  /// The surface is found up to a thousandth of the deviation, `smoothing_ratio · radius`, in the root of the
-  /// mean square: so far it may depend on the order of the triangles.
+  /// The surface is found up to a thousandth of the deviation, `smoothing_ratio · radius`, in the
+  /// root of the mean square: so far it may depend on the order of the triangles.
   ///
-  /// Complexity: linear in the number of triangles and points; the number of steps of the solver is about
-  /// 10, and 20 to 40 where the radius is much larger than the surface. May be called concurrently.
+  /// Complexity: linear in the number of triangles and points; the number of steps of the solver is
+  /// about 10, and 20 to 40 where the radius is much larger than the surface. May be called
+  /// concurrently.
   Triangle_surface operator()(double radius) const
   {
     internal::check_positive(radius, "radius");

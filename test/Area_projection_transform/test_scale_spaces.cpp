@@ -665,7 +665,7 @@ TEST(Smoothing_scale_space, agrees_on_grids_with_its_exact_values)
 
 TEST(Smoothing_scale_space, gives_the_same_bits_for_any_number_of_threads)
 {
-  const auto maps = [](auto tag, int threads) {
+  const auto maps = [](auto tag, [[maybe_unused]] int threads) {
 #ifdef CGAL_LINKED_WITH_TBB
     const tbb::global_control limit(tbb::global_control::max_allowed_parallelism,
                                     std::size_t(threads));

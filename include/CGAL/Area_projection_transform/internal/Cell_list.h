@@ -1,0 +1,138 @@
+// Copyright (c) 2026 The Area Projection Transform authors.
+//
+// This file is part of the Area_projection_transform package.
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#ifndef CGAL_AREA_PROJECTION_TRANSFORM_INTERNAL_CELL_LIST_H
+#define CGAL_AREA_PROJECTION_TRANSFORM_INTERNAL_CELL_LIST_H
+
+#include <CGAL/Area_projection_transform/internal/Cell_index.h>
+
+#include <Eigen/Core>
+
+#include <cstddef>
+#include <cstdint>
+#include <vector>
+
+namespace CGAL {
+namespace Area_projection {
+namespace internal {
+
+/// \brief points in cubic cells, to find those near a place.
+class Cell_list
+{
+public:
+  using Vector = Eigen::Vector3d;
+
+  Cell_list() = default;
+
+  /// \param points must stay where they are for as long as they are asked for
+  Cell_list(const std::vector<Vector>& points, double cell_size)
+      : m_points(&points), m_scale(1 / cell_size), m_cells(points.size() / 4)
+  {
+    if(!points.empty())
+      m_origin = points.front();
+    std::vector<std::uint32_t> cell_of(points.size());
+    for(std::size_t i = 0; i < points.size(); ++i) {
+      cell_of[i] = m_cells.insert(Cell_index::key(cell(points[i])));
+      if(cell_of[i] == m_begin.size())
+        m_begin.push_back(0);
+      ++m_begin[cell_of[i]];
+    }
+    std::uint32_t sum = 0;
+    for(std::uint32_t& begin : m_begin)
+      begin = sum += begin; // the end of the cell, which becomes its beginning as it is filled
+    m_begin.push_back(sum);
+    m_order.resize(points.size());
+    for(std::size_t i = points.size(); i-- > 0;)
+      m_order[--m_begin[cell_of[i]]] = std::uint32_t(i);
+  }
+
+  /// \brief calls `function(index, squared_distance)` for the points within `radius` of a place.
+  ///
+  /// The order depends on the points, the cells and the place only.
+  template <class Function>
+  void for_each_in_ball(const Vector& center, double radius, Function&& function) const
+  {
+    if(m_order.empty())
+      return;
+    const std::array<std::int32_t, 3> low = cell(center - Vector::Constant(radius));
+    const std::array<std::int32_t, 3> high = cell(center + Vector::Constant(radius));
+    const double squared_radius = radius * radius;
+    const auto visit = [&](std::uint32_t c) {
+      for(std::uint32_t k = m_begin[c]; k < m_begin[c + 1]; ++k) {
+        const double squared_distance = ((*m_points)[m_order[k]] - center).squaredNorm();
+        if(squared_distance <= squared_radius)
+          function(std::size_t(m_order[k]), squared_distance);
+      }
+    };
+    std::size_t cells = 1;
+    for(int axis = 0; axis < 3; ++axis)
+      cells *= std::size_t(high[axis] - low[axis] + 1);
+    if(cells > m_begin.size()) { // a ball as large as everything
+      for(std::uint32_t c = 0; c + 1 < m_begin.size(); ++c)
+        visit(c);
+      return;
+    }
+    for(std::int32_t k = low[2]; k <= high[2]; ++k)
+      for(std::int32_t j = low[1]; j <= high[1]; ++j)
+        for(std::int32_t i = low[0]; i <= high[0]; ++i) {
+          const std::uint32_t c = m_cells.find(Cell_index::key({i, j, k}));
+          if(c != Cell_index::none)
+            visit(c);
+        }
+  }
+
+  /// \brief calls `function(i, j, squared_distance)` for all ordered pairs of points within `radius` of each
+  /// other, a point and itself included.
+  ///
+  /// All pairs of the same `i` come one after the other.
+  /// \pre `radius` is not larger than the cells
+  template <class Function>
+  void for_each_pair(double radius, Function&& function) const
+  {
+    const double squared_radius = radius * radius;
+    std::vector<std::uint32_t> near;
+    for(std::uint32_t c = 0; c + 1 < m_begin.size(); ++c) {
+      near.clear();
+      const std::array<std::int32_t, 3> place = cell((*m_points)[m_order[m_begin[c]]]);
+      for(std::int32_t k = -1; k <= 1; ++k)
+        for(std::int32_t j = -1; j <= 1; ++j)
+          for(std::int32_t i = -1; i <= 1; ++i) {
+            const std::uint32_t other =
+                m_cells.find(Cell_index::key({place[0] + i, place[1] + j, place[2] + k}));
+            if(other != Cell_index::none)
+              near.insert(near.end(), m_order.begin() + m_begin[other],
+                          m_order.begin() + m_begin[other + 1]);
+          }
+      for(std::uint32_t k = m_begin[c]; k < m_begin[c + 1]; ++k)
+        for(const std::uint32_t j : near) {
+          const double squared_distance = ((*m_points)[j] - (*m_points)[m_order[k]]).squaredNorm();
+          if(squared_distance <= squared_radius)
+            function(std::size_t(m_order[k]), std::size_t(j), squared_distance);
+        }
+    }
+  }
+
+private:
+  std::array<std::int32_t, 3> cell(const Vector& p) const
+  {
+    // Beyond the last cell there is nothing to find.
+    constexpr double last = (1 << 19) - 1;
+    const Vector c = ((p - m_origin) * m_scale).array().floor().min(last).max(-last);
+    return {std::int32_t(c.x()), std::int32_t(c.y()), std::int32_t(c.z())};
+  }
+
+  const std::vector<Vector>* m_points = nullptr;
+  Vector m_origin = Vector::Zero();
+  double m_scale = 1;
+  Cell_index m_cells;
+  std::vector<std::uint32_t> m_begin, m_order;
+};
+
+} // namespace internal
+} // namespace Area_projection
+} // namespace CGAL
+
+#endif // CGAL_AREA_PROJECTION_TRANSFORM_INTERNAL_CELL_LIST_H

@@ -1,0 +1,136 @@
+// Copyright (c) 2026 The Area Projection Transform authors.
+//
+// This file is part of the Area_projection_transform package.
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#ifndef CGAL_AREA_PROJECTION_TRANSFORM_SALIENT_POINTS_H
+#define CGAL_AREA_PROJECTION_TRANSFORM_SALIENT_POINTS_H
+
+#include <CGAL/Area_projection_transform/Side.h>
+#include <CGAL/Area_projection_transform/Surfels.h>
+#include <CGAL/Area_projection_transform/Triangle_surface.h>
+#include <CGAL/Area_projection_transform/salient_points/Salient_point.h>
+#include <CGAL/Area_projection_transform/salient_points/Shape_detector.h>
+#include <CGAL/Area_projection_transform/salient_points/best_scale.h>
+#include <CGAL/Area_projection_transform/salient_points/refine_shape.h>
+
+#include <cmath>
+#include <optional>
+#include <utility>
+#include <vector>
+
+namespace CGAL {
+namespace Area_projection {
+
+/// \ingroup PkgAreaProjectionTransformFeatures
+/// \brief the choices of `salient_points()`.
+struct Salient_point_options
+{
+  /// the side of the surface on which centres are sought: the outside for bores and pits.
+  Side side = Side::INSIDE;
+  /// the range of the radii of spheres and tubes, in the units of the surface.
+  /// Default: `default_salient_radii()`.
+  std::optional<double> smallest_radius, largest_radius;
+  /// the least intensity of what is returned, in units of the map: see `salient_thresholds`.
+  double threshold = 0.06;
+};
+
+/// \cond SKIP_IN_MANUAL
+namespace internal {
+
+/// the range of radii of which something can be seen.
+inline std::pair<double, double> salient_radii(const Feature_surface& surface,
+                                               const Salient_point_options& options)
+{
+  // So many patches are enough to see what the faces show, however long some of them are.
+  const double most_patches = 2 * double(surface.patches().size()) + 2e4;
+  const double finest = std::sqrt(surface.area() / most_patches) / Vote_level::patch_spacing;
+  const double smallest = options.smallest_radius.value_or(std::max(surface.resolution(), finest));
+  const double largest =
+      options.largest_radius.value_or(std::max(0.55 * surface.extent().minCoeff(), smallest));
+  return {smallest, largest};
+}
+
+inline std::vector<double> radii_of_levels(double smallest, double largest)
+{
+  constexpr double ratio = 1.3;
+  std::vector<double> radii;
+  for(double r = smallest; r < ratio * largest; r *= ratio)
+    radii.push_back(r);
+  return radii;
+}
+
+inline Salient_point salient_point(const Feature_surface& surface, const Cell_list& cells,
+                                   Found_shape found)
+{
+  Shape& shape = found.shape;
+  const Radius_estimate radius = refine_shape(surface.points(), cells, shape);
+  Salient_point point;
+  const Eigen::Vector3d x = shape.center();
+  point.position = Point_3(x.x(), x.y(), x.z());
+  point.radius = radius.radius;
+  point.radius_low = radius.low;
+  point.radius_high = radius.high;
+  point.residual = shape.deviation;
+  point.observed_fraction = observed_fraction(shape, found.support);
+  point.is_seen_from_one_side = found.support.far_area < 0.02 * found.support.area;
+  const Best_scale best = best_scale(surface, x, 0.5, 0.4 * radius.radius, 1.6 * radius.radius);
+  point.scale = best.radius;
+  point.intensity = best.intensity;
+  point.inertia = inertia_at(surface, x, {best.radius, 0.5 * best.radius});
+  point.sphericity = point.inertia.blobness;
+  if(shape.is_sphere()) {
+    point.shape = Salient_shape::SPHERE;
+    return point;
+  }
+  const Tube& tube = shape.tube();
+  point.shape = tube.slope != 0 ? Salient_shape::CONE : Salient_shape::TUBE;
+  point.axis = Vector_3(tube.axis.x(), tube.axis.y(), tube.axis.z());
+  point.slope = tube.slope;
+  point.curvature = Vector_3(tube.curvature.x(), tube.curvature.y(), tube.curvature.z());
+  point.length = shape.length();
+  return point;
+}
+
+template <class ConcurrencyTag>
+std::vector<Salient_point> salient_points_of(const Feature_surface& surface,
+                                             const Salient_point_options& options)
+{
+  const auto [smallest, largest] = salient_radii(surface, options);
+  std::vector<Found_shape> found =
+      Shape_detector<ConcurrencyTag>(surface, radii_of_levels(smallest, largest), options.threshold)
+          .find();
+  const Cell_list cells(surface.points().positions, 3 * surface.resolution());
+  std::vector<Salient_point> points(found.size());
+  for_each_index<ConcurrencyTag>(
+      found.size(), [&](std::size_t i) { points[i] = salient_point(surface, cells, found[i]); });
+  return points;
+}
+
+} // namespace internal
+/// \endcond
+
+/// \ingroup PkgAreaProjectionTransformFeatures
+/// \brief returns the centres of spheres and tubes, the strongest first.
+template <class ConcurrencyTag = CGAL::Sequential_tag>
+std::vector<Salient_point> salient_points(const Triangle_surface& surface,
+                                          const Salient_point_options& options = {})
+{
+  return internal::salient_points_of<ConcurrencyTag>(
+      internal::Feature_surface(surface, options.side), options);
+}
+
+/// the same for points with normals.
+template <class ConcurrencyTag = CGAL::Sequential_tag>
+std::vector<Salient_point> salient_points(const Surfels& points,
+                                          const Salient_point_options& options = {})
+{
+  return internal::salient_points_of<ConcurrencyTag>(
+      internal::Feature_surface(points, options.side), options);
+}
+
+} // namespace Area_projection
+} // namespace CGAL
+
+#endif // CGAL_AREA_PROJECTION_TRANSFORM_SALIENT_POINTS_H

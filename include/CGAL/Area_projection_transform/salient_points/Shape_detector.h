@@ -1,0 +1,291 @@
+// Copyright (c) 2026 The Area Projection Transform authors.
+//
+// This file is part of the Area_projection_transform package.
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#ifndef CGAL_AREA_PROJECTION_TRANSFORM_SALIENT_POINTS_SHAPE_DETECTOR_H
+#define CGAL_AREA_PROJECTION_TRANSFORM_SALIENT_POINTS_SHAPE_DETECTOR_H
+
+#include <CGAL/Area_projection_transform/internal/parallel_workers.h>
+#include <CGAL/Area_projection_transform/salient_points/fit_tube.h>
+#include <CGAL/Area_projection_transform/salient_points/judge_shape.h>
+#include <CGAL/Area_projection_transform/salient_points/start_shapes.h>
+
+#include <Eigen/Core>
+
+#include <algorithm>
+#include <cmath>
+#include <cstddef>
+#include <memory>
+#include <optional>
+#include <tuple>
+#include <vector>
+
+namespace CGAL {
+namespace Area_projection {
+namespace internal {
+
+/// a shape that was found, and what speaks for it.
+struct Found_shape
+{
+  Shape shape;
+  Support support;
+  double score; ///< of the candidate that it began with
+};
+
+/// \brief finds spheres and tubes: the places where votes meet are candidates, the best first; a candidate
+/// that a shape fits to claims its surface, and those that follow have to do without.
+template <class ConcurrencyTag>
+class Shape_detector
+{
+public:
+  Shape_detector(const Feature_surface& surface, const std::vector<double>& radii, double threshold)
+  {
+    m_levels.resize(radii.size());
+    std::vector<std::vector<Candidate>> found(radii.size());
+    for_each_index<ConcurrencyTag>(radii.size(), [&](std::size_t k) {
+      m_levels[k] = std::make_unique<Vote_level>(surface, radii[k]);
+      m_levels[k]->append_candidates(threshold, least_voters, std::uint32_t(k), found[k]);
+    });
+    for(std::size_t k = 0; k < radii.size(); ++k) {
+      m_candidates.insert(m_candidates.end(), found[k].begin(), found[k].end());
+      m_claimed_clusters.emplace_back(m_levels[k]->size(), 0);
+      m_claimed_points.emplace_back(m_levels[k]->number_of_points(), 0);
+    }
+    std::stable_sort(m_candidates.begin(), m_candidates.end(),
+                     [](const Candidate& a, const Candidate& b) { return a.score > b.score; });
+  }
+
+  std::vector<Found_shape> find();
+
+private:
+  static constexpr std::uint32_t least_voters = 8;
+  static constexpr std::size_t batch_size = 16; // whatever the number of threads
+
+  struct Failure
+  {
+    Eigen::Vector3d position;
+    std::uint32_t level;
+  };
+
+  Free_clusters clusters_of(std::size_t level) const
+  {
+    return {m_levels[level].get(), &m_claimed_clusters[level], &m_claimed_points[level]};
+  }
+
+  std::size_t level_of(double radius) const
+  {
+    std::size_t best = 0;
+    for(std::size_t k = 1; k < m_levels.size(); ++k)
+      if(std::abs(std::log(m_levels[k]->radius() / radius)) <
+         std::abs(std::log(m_levels[best]->radius() / radius)))
+        best = k;
+    return best;
+  }
+
+  bool is_near_failure(const Candidate& candidate) const
+  {
+    return std::any_of(m_failures.begin(), m_failures.end(), [&](const Failure& failure) {
+      return failure.level == candidate.level && (failure.position - candidate.position).norm() <
+                                                     0.3 * m_levels[candidate.level]->radius();
+    });
+  }
+
+  std::vector<Candidate> next_batch();
+  std::optional<Found_shape> fit(const Candidate& candidate) const;
+  std::optional<Found_shape> fit_sphere(const Vote_level& level, const Voters& voters) const;
+  std::optional<Found_shape> fit_tube(const Vote_level& level, const Voters& voters) const;
+  std::optional<Found_shape> followed(Shape tube, double score) const;
+  bool is_better(const Found_shape& a, const Found_shape& b) const;
+  bool is_still_free(const Found_shape& found) const;
+  void claim(const Shape& shape);
+
+  std::vector<std::unique_ptr<Vote_level>> m_levels;
+  std::vector<std::vector<char>> m_claimed_clusters, m_claimed_points; // per level
+  std::vector<Candidate> m_candidates;                                 // the best first
+  std::size_t m_next = 0;
+  std::vector<Candidate> m_postponed; // were near a better one
+  std::vector<Failure> m_failures;
+  Shape_limits m_limits;
+};
+
+template <class ConcurrencyTag>
+std::optional<Found_shape> Shape_detector<ConcurrencyTag>::fit_sphere(const Vote_level& level,
+                                                                      const Voters& voters) const
+{
+  std::optional<Shape> shape = start_sphere(level, voters);
+  if(!shape)
+    return std::nullopt;
+  const Free_clusters clusters = clusters_of(level_of(shape->radius()));
+  if(!fit_shape(clusters, *shape, {}))
+    return std::nullopt;
+  const Free_clusters best = clusters_of(level_of(shape->radius()));
+  if(!is_close_fit(*shape, m_limits))
+    return std::nullopt;
+  const Support support = measure_support(best, *shape, support_tolerance(*shape));
+  if(!is_supported(*shape, support, m_limits))
+    return std::nullopt;
+  return Found_shape{*shape, support, 0};
+}
+
+template <class ConcurrencyTag>
+std::optional<Found_shape> Shape_detector<ConcurrencyTag>::fit_tube(const Vote_level& level,
+                                                                    const Voters& voters) const
+{
+  std::optional<Shape> shape = start_tube(level, voters, 1);
+  if(!shape)
+    return std::nullopt;
+  if(!fit_short_tube(clusters_of(level_of(shape->radius())), *shape))
+    return std::nullopt;
+  const Free_clusters clusters = clusters_of(level_of(shape->radius()));
+  if(!is_close_fit(*shape, m_limits))
+    return std::nullopt;
+  Support support = measure_support(clusters, *shape, support_tolerance(*shape));
+  if(!is_supported(*shape, support, m_limits))
+    return std::nullopt;
+  return Found_shape{*shape, support, 0};
+}
+
+/// the one that more of the surface lies on, at the precision of the more precise one.
+template <class ConcurrencyTag>
+bool Shape_detector<ConcurrencyTag>::is_better(const Found_shape& a, const Found_shape& b) const
+{
+  const double tolerance =
+      std::max(4 * std::min(a.shape.deviation, b.shape.deviation), 0.03 * a.shape.radius());
+  const auto area = [&](const Found_shape& found) {
+    return measure_support(clusters_of(level_of(found.shape.radius())), found.shape, tolerance)
+        .area;
+  };
+  return area(a) > area(b);
+}
+
+template <class ConcurrencyTag>
+std::optional<Found_shape> Shape_detector<ConcurrencyTag>::fit(const Candidate& candidate) const
+{
+  constexpr double flat = 0.08;                           // the second spread of planes
+  constexpr double least_sphere = 0.03, most_tube = 0.25; // the first spread
+  const Free_clusters clusters = clusters_of(candidate.level);
+  const auto is_sharp = [](const Shape& shape) { return shape.deviation < 0.02 * shape.radius(); };
+  const auto is_hopeless = [&](const Voters& voters) {
+    return voters.clusters.size() < least_voters || voters.claimed_fraction > 0.5 ||
+           voters.spread[1] < flat;
+  };
+  if(is_hopeless(find_voters(clusters, candidate.position)))
+    return std::nullopt;
+  const Eigen::Vector3d x = meeting_place(clusters, candidate.position);
+  const Voters voters = find_voters(clusters, x);
+  if(is_hopeless(voters))
+    return std::nullopt;
+  std::optional<Found_shape> sphere, tube;
+  if(voters.spread[0] > least_sphere)
+    sphere = fit_sphere(*clusters.level, voters);
+  if(voters.spread[0] < most_tube || (sphere && !is_sharp(sphere->shape)))
+    tube = fit_tube(*clusters.level, voters);
+  if(tube && (!sphere || is_better(*tube, *sphere)))
+    return followed(tube->shape, candidate.score);
+  if(sphere)
+    sphere->score = candidate.score;
+  return sphere;
+}
+
+/// a tube, as far as it goes.
+template <class ConcurrencyTag>
+std::optional<Found_shape> Shape_detector<ConcurrencyTag>::followed(Shape tube, double score) const
+{
+  const Free_clusters clusters = clusters_of(level_of(tube.radius()));
+  follow_tube(clusters, tube);
+  if(!simplify_tube(clusters, tube) || !is_close_fit(tube, m_limits))
+    return std::nullopt;
+  const Support support =
+      measure_support(clusters_of(level_of(tube.radius())), tube, support_tolerance(tube));
+  if(!is_supported(tube, support, m_limits))
+    return std::nullopt;
+  return Found_shape{tube, support, score};
+}
+
+template <class ConcurrencyTag>
+bool Shape_detector<ConcurrencyTag>::is_still_free(const Found_shape& found) const
+{
+  const Support now = measure_support(clusters_of(level_of(found.shape.radius())), found.shape,
+                                      support_tolerance(found.shape));
+  return now.area > 0.98 * found.support.area;
+}
+
+/// takes the surface of a shape, at all levels, out of what is free.
+template <class ConcurrencyTag>
+void Shape_detector<ConcurrencyTag>::claim(const Shape& shape)
+{
+  const double radius = shape.radius();
+  const double band = std::max(6 * shape.deviation, 0.08 * radius);
+  for(std::size_t k = 0; k < m_levels.size(); ++k) {
+    const double width = Vote_level::cluster_size * m_levels[k]->radius();
+    // Clusters that are large for the shape lie far inside of it.
+    const double tolerance = band + std::min(0.5 * width * width / radius, 0.5 * radius);
+    clusters_of(k).for_each_near(
+        shape, tolerance, 0.3 * radius, [&](std::size_t i, const Shape::Place& place) {
+          if(std::abs(place.residual) < tolerance && m_levels[k]->normal(i).dot(place.normal) > 0.3)
+            m_claimed_clusters[k][i] = 1;
+        });
+    m_levels[k]->for_each_point_in_ball(
+        shape.center(), shape.reach() + band + 0.3 * radius, [&](std::size_t i, double) {
+          const Shape::Place place = shape.place(m_levels[k]->point(i));
+          if(shape.is_along(place.along, 0.3 * radius) && std::abs(place.residual) < band &&
+             m_levels[k]->point_normal(i).dot(place.normal) > 0.3)
+            m_claimed_points[k][i] = 1;
+        });
+  }
+}
+
+/// \brief takes the next candidates that are far from each other: their fits do not depend on each other.
+template <class ConcurrencyTag>
+std::vector<Candidate> Shape_detector<ConcurrencyTag>::next_batch()
+{
+  std::vector<Candidate> batch, later;
+  const auto take = [&](const Candidate& candidate) {
+    if(is_near_failure(candidate))
+      return;
+    const bool is_near = std::any_of(batch.begin(), batch.end(), [&](const Candidate& other) {
+      return (other.position - candidate.position).norm() <
+             m_levels[candidate.level]->radius() + m_levels[other.level]->radius();
+    });
+    (is_near ? later : batch).push_back(candidate);
+  };
+  std::size_t i = 0;
+  for(; i < m_postponed.size() && batch.size() < batch_size; ++i)
+    take(m_postponed[i]);
+  later.insert(later.end(), m_postponed.begin() + std::ptrdiff_t(i), m_postponed.end());
+  while(m_next < m_candidates.size() && batch.size() < batch_size && later.size() < 4 * batch_size)
+    take(m_candidates[m_next++]);
+  m_postponed = std::move(later);
+  return batch;
+}
+
+template <class ConcurrencyTag>
+std::vector<Found_shape> Shape_detector<ConcurrencyTag>::find()
+{
+  std::vector<Found_shape> all;
+  for(std::vector<Candidate> batch = next_batch(); !batch.empty(); batch = next_batch()) {
+    std::vector<std::optional<Found_shape>> found(batch.size());
+    for_each_index<ConcurrencyTag>(batch.size(), [&](std::size_t b) { found[b] = fit(batch[b]); });
+    std::vector<Candidate> again;
+    const std::size_t found_before = all.size();
+    for(std::size_t b = 0; b < batch.size(); ++b) {
+      if(!found[b])
+        m_failures.push_back({batch[b].position, batch[b].level});
+      else if(all.size() == found_before || is_still_free(*found[b])) {
+        claim(found[b]->shape);
+        all.push_back(std::move(*found[b]));
+      } else
+        again.push_back(batch[b]);
+    }
+    m_postponed.insert(m_postponed.begin(), again.begin(), again.end());
+  }
+  return all;
+}
+
+} // namespace internal
+} // namespace Area_projection
+} // namespace CGAL
+
+#endif // CGAL_AREA_PROJECTION_TRANSFORM_SALIENT_POINTS_SHAPE_DETECTOR_H

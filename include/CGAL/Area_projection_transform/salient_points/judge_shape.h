@@ -1,0 +1,62 @@
+// Copyright (c) 2026 The Area Projection Transform authors.
+//
+// This file is part of the Area_projection_transform package.
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#ifndef CGAL_AREA_PROJECTION_TRANSFORM_SALIENT_POINTS_JUDGE_SHAPE_H
+#define CGAL_AREA_PROJECTION_TRANSFORM_SALIENT_POINTS_JUDGE_SHAPE_H
+
+#include <CGAL/Area_projection_transform/salient_points/support.h>
+
+#include <algorithm>
+#include <cmath>
+#include <vector>
+
+namespace CGAL {
+namespace Area_projection {
+namespace internal {
+
+/// \brief what a shape must be like to be believed. Fractions of the radius, unless said otherwise.
+struct Shape_limits
+{
+  double deviation = 0.25; ///< of the points
+  double misfit = 0.08;    ///< of the points, noise apart
+  double least_turning = 0.65, most_turning = 1.3;
+  double least_observed = 0.08; ///< of the area of the shape
+  double least_explained = 0.5; ///< of the points around
+  double most_within = 0.3;     ///< of surface inside, per surface on the shape
+  double sphere_spread = 0.06;  ///< the least spread of the normals of a sphere
+  double tube_spread = 0.15;    ///< the second least, of a tube
+  std::size_t least_clusters = 10;
+};
+
+/// how far from a shape its surface may be: noise, and how far the clusters of a round surface are inside.
+inline double support_tolerance(const Shape& shape)
+{
+  return std::max(5 * shape.deviation, 0.06 * shape.radius());
+}
+
+/// whether points are as near to a shape as they should be.
+inline bool is_close_fit(const Shape& shape, const Shape_limits& limits)
+{
+  return shape.deviation < limits.deviation * shape.radius() &&
+         shape.misfit < limits.misfit * shape.radius();
+}
+
+inline bool is_supported(const Shape& shape, const Support& support, const Shape_limits& limits)
+{
+  return support.clusters >= limits.least_clusters &&
+         support.area > limits.least_observed * full_area(shape) &&
+         support.area_within < limits.most_within * support.area &&
+         support.explained > limits.least_explained && support.turning > limits.least_turning &&
+         support.turning < limits.most_turning &&
+         (shape.is_sphere() ? support.spread[0] > limits.sphere_spread
+                            : support.spread[1] > limits.tube_spread);
+}
+
+} // namespace internal
+} // namespace Area_projection
+} // namespace CGAL
+
+#endif // CGAL_AREA_PROJECTION_TRANSFORM_SALIENT_POINTS_JUDGE_SHAPE_H

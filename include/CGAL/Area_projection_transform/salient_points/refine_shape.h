@@ -1,0 +1,118 @@
+// Copyright (c) 2026 The Area Projection Transform authors.
+//
+// This file is part of the Area_projection_transform package.
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#ifndef CGAL_AREA_PROJECTION_TRANSFORM_SALIENT_POINTS_REFINE_SHAPE_H
+#define CGAL_AREA_PROJECTION_TRANSFORM_SALIENT_POINTS_REFINE_SHAPE_H
+
+#include <CGAL/Area_projection_transform/internal/Cell_list.h>
+#include <CGAL/Area_projection_transform/salient_points/fit_shape.h>
+
+#include <Eigen/Core>
+
+#include <algorithm>
+#include <cmath>
+#include <cstddef>
+#include <vector>
+
+namespace CGAL {
+namespace Area_projection {
+namespace internal {
+
+/// a radius, and how far it can be trusted.
+struct Radius_estimate
+{
+  double radius;
+  double low, high; ///< hold it with a probability of 95 %
+};
+
+/// \brief all points near a shape that their normals do not forbid.
+///
+/// Not those at the very ends of tubes: noise would take points of flat caps for points of the tube.
+inline std::vector<Eigen::Vector3d> points_on(const Feature_surface::Points& points,
+                                              const Cell_list& cells, const Shape& shape,
+                                              double band)
+{
+  constexpr double least_cosine = 0.4; // normals of single points are noisy
+  const double margin = std::min(2 * shape.deviation, 0.2 * shape.length());
+  std::vector<Eigen::Vector3d> found;
+  cells.for_each_in_ball(shape.center(), shape.reach() + band, [&](std::size_t v, double) {
+    const Shape::Place place = shape.place(points.positions[v]);
+    if(std::abs(place.residual) < band && shape.is_along(place.along, -margin) &&
+       points.normals[v].dot(place.normal) > least_cosine)
+      found.push_back(points.positions[v]);
+  });
+  return found;
+}
+
+/// \brief the standard deviations from the mean that hold 95 % of Student's distribution, to 1 % from five
+/// degrees of freedom on.
+inline double student_quantile(double degrees_of_freedom)
+{
+  return 1.96 + 2.4 / std::max(degrees_of_freedom - 0.6, 1.);
+}
+
+/// the mean square of the residuals that are no outliers.
+inline double mean_square(const Shape& shape, const std::vector<Eigen::Vector3d>& points)
+{
+  const Tukey tukey(shape.deviation);
+  double sum = 0, number = 0;
+  for(const Eigen::Vector3d& p : points) {
+    const double residual = shape.place(p).residual;
+    if(tukey.weight(residual) > 0) {
+      sum += residual * residual;
+      number += 1;
+    }
+  }
+  return number > 0 ? sum / number : 0;
+}
+
+/// \brief fits a shape to all points on it, and tells how well its radius is known.
+///
+/// Independent displacements of standard deviation `s` in all directions move points away from a sphere of radius
+/// `r` by `s²/r` in the mean, and from a cylinder by half of that: the radius is corrected for it.
+inline Radius_estimate refine_shape(const Feature_surface::Points& points, const Cell_list& cells,
+                                    Shape& shape)
+{
+  constexpr int most_rounds = 12;
+  const Tube::Freedom freedom =
+      shape.is_sphere()
+          ? Tube::Freedom{}
+          : Tube::Freedom{shape.tube().slope != 0, shape.tube().curvature.squaredNorm() > 0};
+  std::vector<Eigen::Vector3d> chosen;
+  for(int round = 0; round < most_rounds; ++round) {
+    const double radius = shape.radius();
+    chosen = points_on(points, cells, shape,
+                       std::clamp(6 * shape.deviation, 1e-5 * radius, 0.25 * radius));
+    if(chosen.size() < Fit_limits::least_points)
+      break;
+    std::vector<double> residuals;
+    for(const Eigen::Vector3d& p : chosen)
+      residuals.push_back(shape.place(p).residual);
+    shape.deviation = std::max(robust_deviation(residuals), 1e-9 * radius);
+    if(move_shape(shape, chosen, shape.deviation, freedom) < 1e-9)
+      break;
+  }
+  const double r = shape.radius(), s = shape.deviation;
+  double variance = 0, degrees = 1, correction = mean_square(shape, chosen) / r;
+  if(shape.is_sphere()) {
+    variance = shape.sphere().equations(chosen, s).covariance({0, 1, 2, 3})(3, 3);
+    degrees = double(chosen.size()) - 4;
+  } else {
+    variance = shape.tube()
+                   .equations(chosen, s, freedom)
+                   .covariance(freedom.free_parameters())(Tube::RADIUS, Tube::RADIUS);
+    degrees = double(chosen.size()) - freedom.number();
+    correction /= 2;
+  }
+  const double half = student_quantile(degrees) * std::sqrt(std::max(variance, 0.)) + 1e-6 * r;
+  return {r - correction, r - correction - half, r - correction + half};
+}
+
+} // namespace internal
+} // namespace Area_projection
+} // namespace CGAL
+
+#endif // CGAL_AREA_PROJECTION_TRANSFORM_SALIENT_POINTS_REFINE_SHAPE_H

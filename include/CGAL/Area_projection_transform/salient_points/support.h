@@ -1,0 +1,169 @@
+// Copyright (c) 2026 The Area Projection Transform authors.
+//
+// This file is part of the Area_projection_transform package.
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#ifndef CGAL_AREA_PROJECTION_TRANSFORM_SALIENT_POINTS_SUPPORT_H
+#define CGAL_AREA_PROJECTION_TRANSFORM_SALIENT_POINTS_SUPPORT_H
+
+#include <CGAL/Area_projection_transform/salient_points/fit_shape.h>
+
+#include <Eigen/Core>
+#include <Eigen/Eigenvalues>
+
+#include <algorithm>
+#include <cmath>
+#include <cstddef>
+#include <limits>
+#include <vector>
+
+namespace CGAL {
+namespace Area_projection {
+namespace internal {
+
+/// what the surface says for and against a shape.
+struct Support
+{
+  double area = 0;        ///< of the surface that lies on the shape
+  double area_within = 0; ///< of the surface deep inside of it that does not face the centre
+  /// the eigenvalues of the mean of `n nᵀ` over the normals of the shape there, ascending: 1/3 each for spheres
+  /// and hemispheres, (0, 1/2, 1/2) for tubes and half tubes, (0, 0, 1) for a plane.
+  Eigen::Vector3d spread = Eigen::Vector3d::Zero();
+  /// \brief how much the normals turn from place to place, in units of what they turn on the shape: 0 on
+  /// planes, however well they touch it, 1 on the shape.
+  double turning = 0;
+  /// the area on the far side of the plane through the centre that has most on the other one.
+  double far_area = 0;
+  std::size_t clusters = 0;
+  /// of the points that could belong to the shape, as near as they are and as their normals are, those that do.
+  double explained = 0;
+};
+
+/// the full area of a shape.
+inline double full_area(const Shape& shape)
+{
+  constexpr double pi = 3.14159265358979323846;
+  const double r = shape.radius();
+  if(shape.is_sphere())
+    return 4 * pi * r * r;
+  return 2 * pi * shape.tube().radius_at(0.5 * (shape.first + shape.last)) * shape.length();
+}
+
+/// the part of the area of a shape that is there, at most 1.
+inline double observed_fraction(const Shape& shape, const Support& support)
+{
+  return std::min(support.area / full_area(shape), 1.);
+}
+
+namespace support {
+
+constexpr double deep = 0.6; // what counts as deep inside, in units of the radius
+constexpr double pair_distance =
+    0.6; // of clusters whose normals are compared, in units of the radius
+constexpr double least_cosine = 0.5;
+
+struct Member
+{
+  std::size_t cluster;
+  Eigen::Vector3d across; // the position, across the axis of a tube
+  Eigen::Vector3d turned; // the normal likewise
+};
+
+/// \brief the regression of the normals on the positions, over pairs of near clusters, in the direction in which
+/// it is least.
+///
+/// Of a tube there are two directions, of which one has no positions: that does not count.
+inline double turning(const Vote_level& level, const Shape& shape,
+                      const std::vector<Member>& members)
+{
+  const double reach = pair_distance * shape.radius();
+  Eigen::Matrix3d products = Eigen::Matrix3d::Zero(), squares = Eigen::Matrix3d::Zero();
+  for(std::size_t a = 0; a < members.size(); ++a)
+    for(std::size_t b = a + 1; b < members.size(); ++b) {
+      const std::size_t i = members[a].cluster, j = members[b].cluster;
+      if((level.position(i) - level.position(j)).squaredNorm() > reach * reach)
+        continue;
+      const Eigen::Vector3d d = members[a].across - members[b].across;
+      const double weight = std::min(level.area(i), level.area(j));
+      products += weight * (members[a].turned - members[b].turned) * d.transpose();
+      squares += weight * d * d.transpose();
+    }
+  const Eigen::SelfAdjointEigenSolver<Eigen::Matrix3d> eigen(squares);
+  double least = std::numeric_limits<double>::max();
+  for(int k = 0; k < 3; ++k) {
+    const Eigen::Vector3d direction = eigen.eigenvectors().col(k);
+    if(eigen.eigenvalues()[k] > 0.05 * eigen.eigenvalues()[2])
+      least = std::min(least, direction.dot(products * direction) / eigen.eigenvalues()[k]);
+  }
+  return shape.radius() * least;
+}
+
+} // namespace support
+
+/// the part of the points around a shape, with normals like its own, that lies on it.
+inline double explained_points(const Free_clusters& clusters, const Shape& shape)
+{
+  constexpr double around = 0.25; // in units of the radius
+  const double tolerance = std::max(4 * shape.deviation, 0.02 * shape.radius());
+  std::vector<Eigen::Vector3d> points;
+  std::vector<double> residuals;
+  collect_points(clusters, shape, std::max(around * shape.radius(), tolerance), points, residuals);
+  const auto explained =
+      std::count_if(residuals.begin(), residuals.end(),
+                    [tolerance](double residual) { return std::abs(residual) < tolerance; });
+  return residuals.empty() ? 0 : double(explained) / double(residuals.size());
+}
+
+/// measures the support of a shape within `tolerance` of it.
+inline Support measure_support(const Free_clusters& clusters, const Shape& shape, double tolerance)
+{
+  const Vote_level& level = *clusters.level;
+  const double radius = shape.radius();
+  Support result;
+  Eigen::Matrix3d spread = Eigen::Matrix3d::Zero();
+  Eigen::Vector3d mean = Eigen::Vector3d::Zero();
+  std::vector<support::Member> members;
+  std::vector<Eigen::Vector3d> shape_normals;
+  clusters.for_each_near(shape, tolerance, 0, [&](std::size_t i, const Shape::Place& place) {
+    const Eigen::Vector3d& n = level.normal(i);
+    const double cosine = n.dot(place.normal);
+    if(place.residual < -(1 - support::deep) * radius) {
+      if(cosine > -0.3)
+        result.area_within += level.area(i);
+      return;
+    }
+    if(!(std::abs(place.residual) < tolerance) || !(cosine > support::least_cosine))
+      return;
+    const double area = level.area(i) * cosine;
+    result.area += area;
+    spread += area * place.normal * place.normal.transpose();
+    mean += area * place.normal;
+    ++result.clusters;
+    Eigen::Vector3d across = level.position(i), turned = n;
+    if(!shape.is_sphere()) {
+      const Eigen::Vector3d axis = shape.tube().tangent_at(place.along);
+      across = (place.residual + shape.tube().radius_at(place.along)) * place.normal;
+      turned -= turned.dot(axis) * axis;
+    }
+    members.push_back({i, across, turned});
+    shape_normals.push_back(place.normal);
+  });
+  if(!(result.area > 0))
+    return result;
+  result.spread =
+      Eigen::SelfAdjointEigenSolver<Eigen::Matrix3d>(spread / result.area, Eigen::EigenvaluesOnly)
+          .eigenvalues();
+  for(std::size_t a = 0; a < members.size(); ++a)
+    if(shape_normals[a].dot(mean) < 0)
+      result.far_area += level.area(members[a].cluster);
+  result.turning = support::turning(level, shape, members);
+  result.explained = explained_points(clusters, shape);
+  return result;
+}
+
+} // namespace internal
+} // namespace Area_projection
+} // namespace CGAL
+
+#endif // CGAL_AREA_PROJECTION_TRANSFORM_SALIENT_POINTS_SUPPORT_H

@@ -12,10 +12,13 @@
 #include <CGAL/Area_projection_transform/Triangle_surface.h>
 #include <CGAL/Area_projection_transform/salient_points/Salient_point.h>
 #include <CGAL/Area_projection_transform/salient_points/Shape_detector.h>
+#include <CGAL/Area_projection_transform/salient_points/assign_voters.h>
 #include <CGAL/Area_projection_transform/salient_points/best_scale.h>
 #include <CGAL/Area_projection_transform/salient_points/refine_shape.h>
 
+#include <algorithm>
 #include <cmath>
+#include <cstdint>
 #include <optional>
 #include <utility>
 #include <vector>
@@ -32,8 +35,27 @@ struct Salient_point_options
   /// the range of the radii of spheres and tubes, in the units of the surface.
   /// Default: `default_salient_radii()`.
   std::optional<double> smallest_radius, largest_radius;
-  /// the least intensity of what is returned, in units of the map: see `salient_thresholds`.
-  double threshold = 0.06;
+  /// the least intensity of what is returned: a number, or one of `salient_thresholds`. By default what a shape
+  /// fits to is returned, however little of it there is.
+  double threshold = 0;
+  /// the least distance of tubes that follow each other along a line, in units of their radius: of those that are
+  /// nearer, the longer one is returned. Pieces of one straight tube are one tube anyway.
+  std::optional<double> tube_spacing;
+};
+
+/// \ingroup PkgAreaProjectionTransformFeatures
+/// \brief what the transform has at the centre of ideal shapes, each at its own radius and `σ/R = 1/2`: names for
+/// thresholds of the intensity.
+///
+/// The intensity of a salient point is the largest over all radii, so that ideal shapes exceed these values: a sphere
+/// has 2.25, a hemisphere half of that, a tube 0.55. What is left over is for what is missing.
+struct salient_thresholds
+{
+  static constexpr double sphere = 1;
+  static constexpr double hemisphere = 0.5;
+  static constexpr double tube = 0.5;
+  static constexpr double slab = 0.125;  ///< more than two parallel walls
+  static constexpr double paper = 0.2;   ///< that of the paper, section 6.1
 };
 
 /// \cond SKIP_IN_MANUAL
@@ -62,7 +84,7 @@ inline std::vector<double> radii_of_levels(double smallest, double largest)
 }
 
 inline Salient_point salient_point(const Feature_surface& surface, const Cell_list& cells,
-                                   Found_shape found)
+                                   Found_shape& found)
 {
   Shape& shape = found.shape;
   const Radius_estimate radius = refine_shape(surface.points(), cells, shape);
@@ -93,18 +115,48 @@ inline Salient_point salient_point(const Feature_surface& surface, const Cell_li
   return point;
 }
 
+/// drops tubes whose centres are near that of a longer one, along its axis.
+inline void thin_tubes(std::vector<Found_shape>& shapes, double spacing)
+{
+  std::vector<Found_shape> kept;
+  std::stable_sort(shapes.begin(), shapes.end(), [](const Found_shape& a, const Found_shape& b) {
+    return a.support.area > b.support.area;
+  });
+  for(const Found_shape& found : shapes) {
+    const auto is_near = [&](const Found_shape& other) {
+      return !other.shape.is_sphere() &&
+             follows(other.shape, found.shape, spacing * other.shape.radius());
+    };
+    if(found.shape.is_sphere() || std::none_of(kept.begin(), kept.end(), is_near))
+      kept.push_back(found);
+  }
+  shapes = std::move(kept);
+}
+
 template <class ConcurrencyTag>
 std::vector<Salient_point> salient_points_of(const Feature_surface& surface,
+                                             const std::vector<std::uint32_t>& sources,
                                              const Salient_point_options& options)
 {
   const auto [smallest, largest] = salient_radii(surface, options);
   std::vector<Found_shape> found =
-      Shape_detector<ConcurrencyTag>(surface, radii_of_levels(smallest, largest), options.threshold)
-          .find();
+      Shape_detector<ConcurrencyTag>(surface, radii_of_levels(smallest, largest)).find();
+  if(options.tube_spacing)
+    thin_tubes(found, *options.tube_spacing);
   const Cell_list cells(surface.points().positions, 3 * surface.resolution());
   std::vector<Salient_point> points(found.size());
   for_each_index<ConcurrencyTag>(
       found.size(), [&](std::size_t i) { points[i] = salient_point(surface, cells, found[i]); });
+  assign_voters(surface, sources, found, points);
+  points.erase(std::remove_if(points.begin(), points.end(),
+                              [&](const Salient_point& p) {
+                                return p.intensity < options.threshold;
+                              }),
+               points.end());
+  std::stable_sort(points.begin(), points.end(),
+                   [](const Salient_point& a, const Salient_point& b) {
+                     return a.intensity > b.intensity;
+                   });
   return points;
 }
 
@@ -118,7 +170,7 @@ std::vector<Salient_point> salient_points(const Triangle_surface& surface,
                                           const Salient_point_options& options = {})
 {
   return internal::salient_points_of<ConcurrencyTag>(
-      internal::Feature_surface(surface, options.side), options);
+      internal::Feature_surface(surface, options.side), surface.sources, options);
 }
 
 /// the same for points with normals.
@@ -127,7 +179,7 @@ std::vector<Salient_point> salient_points(const Surfels& points,
                                           const Salient_point_options& options = {})
 {
   return internal::salient_points_of<ConcurrencyTag>(
-      internal::Feature_surface(points, options.side), options);
+      internal::Feature_surface(points, options.side), points.sources, options);
 }
 
 } // namespace Area_projection

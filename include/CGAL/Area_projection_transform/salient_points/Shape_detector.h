@@ -34,19 +34,46 @@ struct Found_shape
   double score; ///< of the candidate that it began with
 };
 
+/// \brief whether a tube goes on along the axis of another one, at most `gap` after its end.
+///
+/// Bent tubes are compared where they meet.
+inline bool follows(const Shape& first, const Shape& second, double gap)
+{
+  constexpr double least_cosine = 0.95, most_radii = 0.15;
+  const Tube::Place place = first.tube().place(second.center());
+  const double radius = first.tube().radius_at(place.along);
+  const double reach = 0.5 * second.length() + gap;
+  return first.is_along(place.along, reach) && place.distance < most_radii * radius &&
+         std::abs(second.radius() - radius) < most_radii * radius &&
+         std::abs(first.tube().tangent_at(place.along).dot(second.tube().axis)) > least_cosine;
+}
+
+/// whether a piece of a tube lies on another tube, as far as its noise tells.
+inline bool lies_on(const Shape& piece, const Shape& tube)
+{
+  const double tolerance = std::max(0.5 * piece.deviation, 0.02 * piece.radius());
+  for(const double along : {piece.first, 0., piece.last}) {
+    const Tube::Place place = tube.tube().place(piece.tube().point_at(along));
+    if(place.distance > tolerance ||
+       std::abs(tube.tube().radius_at(place.along) - piece.tube().radius_at(along)) > tolerance)
+      return false;
+  }
+  return true;
+}
+
 /// \brief finds spheres and tubes: the places where votes meet are candidates, the best first; a candidate
 /// that a shape fits to claims its surface, and those that follow have to do without.
 template <class ConcurrencyTag>
 class Shape_detector
 {
 public:
-  Shape_detector(const Feature_surface& surface, const std::vector<double>& radii, double threshold)
+  Shape_detector(const Feature_surface& surface, const std::vector<double>& radii)
   {
     m_levels.resize(radii.size());
     std::vector<std::vector<Candidate>> found(radii.size());
     for_each_index<ConcurrencyTag>(radii.size(), [&](std::size_t k) {
       m_levels[k] = std::make_unique<Vote_level>(surface, radii[k]);
-      m_levels[k]->append_candidates(threshold, least_voters, std::uint32_t(k), found[k]);
+      m_levels[k]->append_candidates(least_score, least_voters, std::uint32_t(k), found[k]);
     });
     for(std::size_t k = 0; k < radii.size(); ++k) {
       m_candidates.insert(m_candidates.end(), found[k].begin(), found[k].end());
@@ -61,6 +88,7 @@ public:
 
 private:
   static constexpr std::uint32_t least_voters = 8;
+  static constexpr double least_score = 0.03; // half a tube of which three quarters are missing
   static constexpr std::size_t batch_size = 16; // whatever the number of threads
 
   struct Failure
@@ -93,6 +121,7 @@ private:
   }
 
   std::vector<Candidate> next_batch();
+  bool lengthen_known_tube(const Found_shape& piece, std::vector<Found_shape>& known) const;
   std::optional<Found_shape> fit(const Candidate& candidate) const;
   std::optional<Found_shape> fit_sphere(const Vote_level& level, const Voters& voters) const;
   std::optional<Found_shape> fit_tube(const Vote_level& level, const Voters& voters) const;
@@ -237,6 +266,35 @@ void Shape_detector<ConcurrencyTag>::claim(const Shape& shape)
   }
 }
 
+/// \brief lengthens a tube that was found before to include another piece of it, beyond a hole.
+/// \return whether there is one
+template <class ConcurrencyTag>
+bool Shape_detector<ConcurrencyTag>::lengthen_known_tube(const Found_shape& piece,
+                                                         std::vector<Found_shape>& known) const
+{
+  constexpr double largest_hole = 3; // in units of the radius
+  if(piece.shape.is_sphere())
+    return false;
+  const double half = 0.5 * piece.shape.length();
+  for(Found_shape& other : known) {
+    if(other.shape.is_sphere() ||
+       !follows(other.shape, piece.shape, largest_hole * piece.shape.radius()))
+      continue;
+    Shape longer = other.shape;
+    const double along = longer.tube().place(piece.shape.center()).along;
+    longer.first = std::min(longer.first, along - half);
+    longer.last = std::max(longer.last, along + half);
+    recenter(longer);
+    if(!lies_on(piece.shape, longer))
+      continue;
+    other.shape = longer;
+    other.support.area += piece.support.area;
+    other.support.far_area += piece.support.far_area;
+    return true;
+  }
+  return false;
+}
+
 /// \brief takes the next candidates that are far from each other: their fits do not depend on each other.
 template <class ConcurrencyTag>
 std::vector<Candidate> Shape_detector<ConcurrencyTag>::next_batch()
@@ -275,7 +333,8 @@ std::vector<Found_shape> Shape_detector<ConcurrencyTag>::find()
         m_failures.push_back({batch[b].position, batch[b].level});
       else if(all.size() == found_before || is_still_free(*found[b])) {
         claim(found[b]->shape);
-        all.push_back(std::move(*found[b]));
+        if(!lengthen_known_tube(*found[b], all))
+          all.push_back(std::move(*found[b]));
       } else
         again.push_back(batch[b]);
     }

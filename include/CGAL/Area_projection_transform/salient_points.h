@@ -54,8 +54,8 @@ struct salient_thresholds
   static constexpr double sphere = 1;
   static constexpr double hemisphere = 0.5;
   static constexpr double tube = 0.5;
-  static constexpr double slab = 0.125;  ///< more than two parallel walls
-  static constexpr double paper = 0.2;   ///< that of the paper, section 6.1
+  static constexpr double slab = 0.125; ///< more than two parallel walls
+  static constexpr double paper = 0.2;  ///< that of the paper, section 6.1
 };
 
 /// \cond SKIP_IN_MANUAL
@@ -148,15 +148,13 @@ std::vector<Salient_point> salient_points_of(const Feature_surface& surface,
   for_each_index<ConcurrencyTag>(
       found.size(), [&](std::size_t i) { points[i] = salient_point(surface, cells, found[i]); });
   assign_voters(surface, sources, found, points);
-  points.erase(std::remove_if(points.begin(), points.end(),
-                              [&](const Salient_point& p) {
-                                return p.intensity < options.threshold;
-                              }),
-               points.end());
-  std::stable_sort(points.begin(), points.end(),
-                   [](const Salient_point& a, const Salient_point& b) {
-                     return a.intensity > b.intensity;
-                   });
+  points.erase(
+      std::remove_if(points.begin(), points.end(),
+                     [&](const Salient_point& p) { return p.intensity < options.threshold; }),
+      points.end());
+  std::stable_sort(
+      points.begin(), points.end(),
+      [](const Salient_point& a, const Salient_point& b) { return a.intensity > b.intensity; });
   return points;
 }
 

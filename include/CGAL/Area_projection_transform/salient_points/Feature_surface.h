@@ -76,6 +76,11 @@ public:
   template <class Function>
   void for_each_patch(double spacing, Function&& function) const;
 
+  /// the same for the faces that may have something within `distance` of a place.
+  template <class Function>
+  void for_each_patch_near(const Vector& place, double distance, double spacing,
+                           Function&& function) const;
+
   /// the length below which there is nothing to see: few edges are shorter.
   double resolution() const { return m_resolution; }
   double area() const { return m_area; }
@@ -83,6 +88,8 @@ public:
   const Vector& extent() const { return m_extent; }
 
 private:
+  template <class Function>
+  void cut_patch(std::size_t index, double largest_variance, Function& function) const;
   void add_points_on_creases(const Triangle_surface& surface,
                              const std::vector<std::uint32_t>& joined, double sign);
   void finish();
@@ -236,29 +243,48 @@ inline void Feature_surface::finish()
   m_extent = high - low;
 }
 
+/// hands on a patch in pieces, if it is a triangle that varies more than that.
+template <class Function>
+void Feature_surface::cut_patch(std::size_t t, double largest_variance, Function& function) const
+{
+  const Patch& patch = m_patches[t];
+  if(m_corners.empty()) {
+    function(patch);
+    return;
+  }
+  const Vector &a = m_corners[t][0], &b = m_corners[t][1], &c = m_corners[t][2];
+  const std::array<double, 3> opposite{(b - c).squaredNorm(), (c - a).squaredNorm(),
+                                       (a - b).squaredNorm()};
+  if((opposite[0] + opposite[1] + opposite[2]) / 36 <= largest_variance) {
+    function(patch);
+    return;
+  }
+  const auto sample = [&](const Triangle_piece& piece) {
+    const std::array<double, 3> w = piece.centroid();
+    function(Patch{w[0] * a + w[1] * b + w[2] * c, piece.fraction * patch.area_vector, patch.normal,
+                   piece.fraction * patch.area});
+  };
+  for_each_piece({{{{1, 0, 0}, {0, 1, 0}, {0, 0, 1}}}, opposite, 1}, largest_variance, sample);
+}
+
 template <class Function>
 void Feature_surface::for_each_patch(double spacing, Function&& function) const
 {
-  const double largest = largest_variance(spacing);
+  for(std::size_t t = 0; t < m_patches.size(); ++t)
+    cut_patch(t, largest_variance(spacing), function);
+}
+
+template <class Function>
+void Feature_surface::for_each_patch_near(const Vector& place, double distance, double spacing,
+                                          Function&& function) const
+{
   for(std::size_t t = 0; t < m_patches.size(); ++t) {
-    const Patch& patch = m_patches[t];
-    if(m_corners.empty()) {
-      function(patch);
-      continue;
-    }
-    const auto& [a, b, c] = m_corners[t];
-    const std::array<double, 3> opposite{(b - c).squaredNorm(), (c - a).squaredNorm(),
-                                         (a - b).squaredNorm()};
-    if((opposite[0] + opposite[1] + opposite[2]) / 36 <= largest) {
-      function(patch);
-      continue;
-    }
-    const auto sample = [&, &a = a, &b = b, &c = c](const Triangle_piece& piece) {
-      const std::array<double, 3> w = piece.centroid();
-      function(Patch{w[0] * a + w[1] * b + w[2] * c, piece.fraction * patch.area_vector,
-                     patch.normal, piece.fraction * patch.area});
-    };
-    for_each_piece({{{{1, 0, 0}, {0, 1, 0}, {0, 0, 1}}}, opposite, 1}, largest, sample);
+    double reach = distance;
+    if(!m_corners.empty())
+      for(const Vector& corner : m_corners[t])
+        reach = std::max(reach, distance + (corner - m_patches[t].position).norm());
+    if((m_patches[t].position - place).squaredNorm() <= reach * reach)
+      cut_patch(t, largest_variance(spacing), function);
   }
 }
 

@@ -88,7 +88,7 @@ public:
 
 private:
   static constexpr std::uint32_t least_voters = 8;
-  static constexpr double least_score = 0.03; // half a tube of which three quarters are missing
+  static constexpr double least_score = 0.03;   // half a tube of which three quarters are missing
   static constexpr std::size_t batch_size = 16; // whatever the number of threads
 
   struct Failure

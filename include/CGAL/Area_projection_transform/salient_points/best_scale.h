@@ -45,7 +45,8 @@ inline Best_scale best_scale(const Feature_surface& surface, const Eigen::Vector
   };
   std::vector<Event> begins, ends;
   const double a = 1 - ratio * ratio;
-  surface.for_each_patch(0.5 * ratio * smallest, [&](const Feature_surface::Patch& patch) {
+  const double reach = (1 + ratio) * largest, spacing = 0.3 * ratio * smallest;
+  surface.for_each_patch_near(x, reach, spacing, [&](const Feature_surface::Patch& patch) {
     const Eigen::Vector3d u = patch.position - x;
     if(!(patch.area > 0))
       return;
@@ -98,16 +99,19 @@ inline Inertia_descriptors inertia_at(const Feature_surface& surface, const Eige
   Eigen::Matrix3d moments = Eigen::Matrix3d::Zero();
   Eigen::Vector3d sum = Eigen::Vector3d::Zero();
   double total = 0;
-  surface.for_each_patch(0.5 * scale.sigma, [&](const Feature_surface::Patch& patch) {
-    if(!(patch.area > 0))
-      return;
-    const Eigen::Vector3d u = patch.position - (scale.radius / patch.area) * patch.area_vector - x;
-    if(!(u.squaredNorm() < window * window))
-      return;
-    moments += patch.area * u * u.transpose();
-    sum += patch.area * u;
-    total += patch.area;
-  });
+  const double reach = scale.radius + window;
+  surface.for_each_patch_near(
+      x, reach, 0.5 * scale.sigma, [&](const Feature_surface::Patch& patch) {
+        if(!(patch.area > 0))
+          return;
+        const Eigen::Vector3d u =
+            patch.position - (scale.radius / patch.area) * patch.area_vector - x;
+        if(!(u.squaredNorm() < window * window))
+          return;
+        moments += patch.area * u * u.transpose();
+        sum += patch.area * u;
+        total += patch.area;
+      });
   if(!(total > 0))
     return {1, 0, 0};
   const Eigen::Vector3d mean = sum / total;

@@ -26,6 +26,15 @@ void figure_7(const Options& options, Benchmarks::Report& report);
 /// flat objects at several scales.
 void figure_8(const Options& options, Benchmarks::Report& report);
 
+/// salient points of spheres and a cylinder, by how the paper is read.
+void figure_9(const Options& options, Benchmarks::Report& report);
+
+/// salient points of animals and people.
+void figure_10(const Options& options, Benchmarks::Report& report);
+
+/// salient points of scans with holes.
+void figure_11(const Options& options, Benchmarks::Report& report);
+
 /// everything against the amount of damage.
 void robustness_curves(const Options& options, Benchmarks::Report& report);
 

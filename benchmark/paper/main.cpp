@@ -4,7 +4,7 @@
 //
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-// The experiments of the paper about robustness: what remains of the maps of damaged surfaces.
+// The experiments of the paper: what remains of the maps of damaged surfaces, and its salient points.
 // scripts/paper-figures runs them and draws the curves.
 
 #include "figures.h"
@@ -28,6 +28,9 @@ constexpr Figure figures[] = {{"1", Paper::figure_1},
                               {"4", Paper::figure_4},
                               {"7", Paper::figure_7},
                               {"8", Paper::figure_8},
+                              {"9", Paper::figure_9},
+                              {"10", Paper::figure_10},
+                              {"11", Paper::figure_11},
                               {"curves", Paper::robustness_curves},
                               {"ratios", Paper::smoothing_ratios}};
 
@@ -82,7 +85,7 @@ bool run(Arguments& arguments)
 
 int main(int argc, char** argv)
 {
-  CLI::App app("Measures what remains of the maps of damaged surfaces.");
+  CLI::App app("Measures what remains of the maps of damaged surfaces, and finds salient points.");
   Arguments arguments;
   declare(app, arguments);
   CLI11_PARSE(app, argc, argv);

@@ -135,6 +135,41 @@ Soup icosphere(int levels)
   return soup;
 }
 
+Soup cylinder(double radius, double length, int sides, int rows)
+{
+  Soup soup;
+  for(int row = 0; row <= rows; ++row)
+    for(int side = 0; side < sides; ++side) {
+      const double phi = 2 * pi * side / sides;
+      soup.points.emplace_back(radius * std::cos(phi), radius * std::sin(phi),
+                               length * (double(row) / rows - 0.5));
+    }
+  const std::uint32_t low = std::uint32_t(soup.points.size()), high = low + 1;
+  soup.points.emplace_back(0, 0, -0.5 * length);
+  soup.points.emplace_back(0, 0, 0.5 * length);
+  const auto index = [&](int row, int side) { return std::uint32_t(row * sides + side % sides); };
+  for(int side = 0; side < sides; ++side) {
+    for(int row = 0; row < rows; ++row) {
+      const std::uint32_t a = index(row, side), b = index(row, side + 1),
+                          c = index(row + 1, side + 1), d = index(row + 1, side);
+      soup.triangles.push_back({a, b, c});
+      soup.triangles.push_back({a, c, d});
+    }
+    soup.triangles.push_back({low, index(0, side + 1), index(0, side)});
+    soup.triangles.push_back({high, index(rows, side), index(rows, side + 1)});
+  }
+  return soup;
+}
+
+Soup joined(Soup a, const Soup& b)
+{
+  const std::uint32_t offset = std::uint32_t(a.points.size());
+  a.points.insert(a.points.end(), b.points.begin(), b.points.end());
+  for(const Soup::Triangle& t : b.triangles)
+    a.triangles.push_back({t[0] + offset, t[1] + offset, t[2] + offset});
+  return a;
+}
+
 std::vector<Vector_3> even_directions(std::size_t number)
 {
   const double turn = pi * (3 - std::sqrt(5.)); // the golden angle

@@ -18,6 +18,13 @@ namespace Paper {
 /// a sphere of radius 1: an icosahedron of which each face is divided into four, `levels` times.
 Soup icosphere(int levels);
 
+/// a cylinder about the `z` axis with flat ends, its middle in the origin: all points lie on the round side,
+/// in `rows + 1` circles, but for those in the middles of the ends.
+Soup cylinder(double radius, double length, int sides, int rows);
+
+/// both, side by side.
+Soup joined(Soup a, const Soup& b);
+
 /// directions that are spread evenly over the sphere, along a spiral: the nearest of `number` are about
 /// 3.1/√number apart.
 std::vector<Vector_3> even_directions(std::size_t number);

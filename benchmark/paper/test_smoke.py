@@ -48,7 +48,8 @@ class Smoke(unittest.TestCase):
 
     def test_every_figure_has_rows(self):
         groups = [group["name"] for group in self.data["groups"]]
-        self.assertEqual(groups, ["figure 1", "figure 4", "figure 7", "figure 8", "curves", "ratios"])
+        self.assertEqual(groups, ["figure 1", "figure 4", "figure 7", "figure 8", "figure 9", "figure 10",
+                                  "figure 11", "curves", "ratios"])
         self.assertEqual({row["group"] for row in self.data["rows"]}, set(groups))
         for name in groups:
             self.assertIn(f"\n{name}, ", self.output)
@@ -92,6 +93,23 @@ class Smoke(unittest.TestCase):
         self.assertTrue(walls)
         for row in walls:
             self.assertAlmostEqual(row["measures"]["in walls"], row["measures"]["walls"], delta=0.25)
+
+    def test_salient_points_are_on_the_objects_of_figure_9(self):
+        for row in self.rows("figure 9", "points on objects", s=0.1):
+            for name, radius in ("sphere 1", 1), ("sphere 0.5", 0.5), ("sphere 0.25", 0.25):
+                self.assertEqual(row["measures"][f"on {name}"], 1, row)
+            # No sphere is seen at less than two thirds of its radius.
+            self.assertGreaterEqual(row["measures"]["R/R0, sphere 1"], 2 / 3)
+            self.assertGreater(row["measures"]["sphericity, sphere 1"], 0.95)
+            self.assertGreater(row["measures"]["on tube"], 0)
+            self.assertLess(row["measures"]["sphericity, tube"], 0.9)
+            self.assertEqual(row["measures"]["elsewhere"], 0)
+
+    def test_salient_points_survive_holes(self):
+        for row in self.rows("figure 11", "points found again", damage="none"):
+            self.assertEqual(row["measures"]["within 2 voxels"], 1)
+        for row in self.rows("figure 11", "points found again", damage="holes"):
+            self.assertGreater(row["measures"]["within R/2"], 0.5)
 
     def test_pictures_are_written(self):
         pictures = list((self.folder / "pictures").iterdir())

@@ -27,6 +27,7 @@ struct Options
   int voxels = 64; ///< along the longest side
   bool is_quick = false;
   std::vector<std::string> meshes; ///< files, instead of the bundled ones
+  std::string retrieval;           ///< the folder of a labelled set; empty: there is none
   std::string pictures;            ///< the folder for pictures; empty: none are made
 
   /// one of two numbers, by the effort.

@@ -35,6 +35,9 @@ void figure_10(const Options& options, Benchmarks::Report& report);
 /// salient points of scans with holes.
 void figure_11(const Options& options, Benchmarks::Report& report);
 
+/// salient points of the same model in two poses.
+void pose_stability(const Options& options, Benchmarks::Report& report);
+
 /// everything against the amount of damage.
 void robustness_curves(const Options& options, Benchmarks::Report& report);
 

@@ -31,6 +31,7 @@ constexpr Figure figures[] = {{"1", Paper::figure_1},
                               {"9", Paper::figure_9},
                               {"10", Paper::figure_10},
                               {"11", Paper::figure_11},
+                              {"poses", Paper::pose_stability},
                               {"curves", Paper::robustness_curves},
                               {"ratios", Paper::smoothing_ratios}};
 
@@ -56,6 +57,9 @@ void declare(CLI::App& app, Arguments& arguments)
       ->check(CLI::Range(8, 1024));
   app.add_option("--json", arguments.json, "the file to write the numbers to");
   app.add_option("--pictures", options.pictures, "the folder to write pictures of maps to");
+  app.add_option("--retrieval", options.retrieval,
+                 "the folder of a labelled set of meshes, for pairs of poses")
+      ->check(CLI::ExistingDirectory);
   app.add_flag("--quick", options.is_quick, "few amounts of damage, coarse: to see that all runs");
   app.add_option("meshes", options.meshes, "meshes instead of the bundled ones")
       ->check(CLI::ExistingFile);

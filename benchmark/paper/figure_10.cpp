@@ -6,6 +6,7 @@
 
 #include "figures.h"
 #include "salient.h"
+#include "salient_picture.h"
 
 #include <algorithm>
 #include <cmath>
@@ -63,6 +64,8 @@ void figure_10(const Options& options, Benchmarks::Report& report)
       const Benchmarks::Parameters parameters{{"mesh", mesh.name},
                                               {"faces", mesh.soup.triangles.size()}};
       models.push_back(row("figure 10", "models", mode.name, parameters, summarise(run)));
+      write_picture_of_points(options, "figure_10_" + mesh.name + "_" + mode.name + ".png",
+                              mesh.soup, run.points);
       std::vector<Row> list;
       for(std::size_t i = 0; i < std::min(run.points.size(), number_listed); ++i)
         list.push_back(row("figure 10", "strongest points", mode.name + " " + std::to_string(i + 1),

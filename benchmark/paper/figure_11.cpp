@@ -6,6 +6,7 @@
 
 #include "figures.h"
 #include "salient.h"
+#include "salient_picture.h"
 
 #include <algorithm>
 #include <cmath>
@@ -75,13 +76,16 @@ void figure_11(const Options& options, Benchmarks::Report& report)
     for(Salient_mode mode : salient_modes()) {
       mode.reference_length = options.pick(4, 1) * short_reference_length(mesh.soup);
       const Salient_run clean = find_salient_points(mesh.soup, mode);
-      const auto add = [&](const std::string& damage, const Salient_run& run) {
+      const auto add = [&](const std::string& damage, const Soup& soup, const Salient_run& run) {
         rows.push_back(row("figure 11", "points found again", mode.name,
                            {{"mesh", mesh.name}, {"damage", damage}}, compare(clean, run)));
+        write_picture_of_points(options,
+                                "figure_11_" + mesh.name + "_" + damage + "_" + mode.name + ".png",
+                                soup, run.points);
       };
-      add("none", clean);
-      add("holes", find_salient_points(with_holes, mode));
-      add("holes and noise", find_salient_points(scan, mode));
+      add("none", mesh.soup, clean);
+      add("holes", with_holes, find_salient_points(with_holes, mode));
+      add("holes and noise", scan, find_salient_points(scan, mode));
     }
   }
   publish(rows, report);

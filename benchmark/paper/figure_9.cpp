@@ -6,6 +6,7 @@
 
 #include "figures.h"
 #include "salient.h"
+#include "salient_picture.h"
 #include "shapes.h"
 
 #include <algorithm>
@@ -123,15 +124,17 @@ void compare_readings(const Soup& scene, const std::vector<double>& reference_le
   publish(rows, report);
 }
 
-void list_points(const Soup& scene, double s, Benchmarks::Report& report)
+void list_points(const Options& options, const Soup& scene, double s, Benchmarks::Report& report)
 {
   for(Salient_mode mode : salient_modes()) {
     mode.reference_length = s;
+    const Salient_run run = find_salient_points(scene, mode);
     std::vector<Row> rows;
-    for(const Salient_point& p : find_salient_points(scene, mode).points)
+    for(const Salient_point& p : run.points)
       rows.push_back(row("figure 9", "points, " + mode.name, object_at(p.position, s), {{"s", s}},
                          describe(p)));
     publish(rows, report);
+    write_picture_of_points(options, "figure_9_" + mode.name + ".png", scene, run.points);
   }
 }
 
@@ -152,7 +155,7 @@ void figure_9(const Options& options, Benchmarks::Report& report)
   compare_readings(scene,
                    options.pick<std::vector<double>>({0.1, long_s}, {short_s, 0.05, 0.1, long_s}),
                    report);
-  list_points(scene, options.pick(0.1, short_s), report);
+  list_points(options, scene, options.pick(0.1, short_s), report);
 }
 
 } // namespace Paper

@@ -123,6 +123,12 @@ CLI::Validator number_between_0_and_1()
                       [](double value) { return value > 0 && value < 1; });
 }
 
+CLI::Option* add_choice(CLI::App& app, const std::string& name, std::string& word,
+                        const std::vector<std::string>& words, const std::string& description)
+{
+  return app.add_option(name, word, description)->check(CLI::IsMember(words))->type_name("WORD");
+}
+
 CLI::Option* add_bytes_option(CLI::App& app, const std::string& name, double& bytes,
                               const std::string& description)
 {

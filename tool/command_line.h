@@ -36,6 +36,9 @@ public:
 CLI::Validator positive_number();
 CLI::Validator number_between_0_and_1();
 
+/// adds an option for one of some words.
+CLI::Option* add_choice(CLI::App& app, const std::string& name, std::string& word,
+                        const std::vector<std::string>& words, const std::string& description);
 /// adds an option for a number of bytes, such as "500M".
 CLI::Option* add_bytes_option(CLI::App& app, const std::string& name, double& bytes,
                               const std::string& description);

@@ -25,10 +25,8 @@
 
 #include <algorithm>
 #include <cmath>
-#include <filesystem>
 #include <iostream>
 #include <map>
-#include <system_error>
 
 namespace mapt {
 
@@ -68,15 +66,12 @@ void add_options(CLI::App& app, Evaluate_options& options)
       ->type_name("FRACTION")
       ->capture_default_str()
       ->check(number_between_0_and_1());
-  app.add_option("--side", options.side, "the side of the surface to project to: inside or outside")
-      ->check(CLI::IsMember(std::vector<std::string>{"inside", "outside"}))
-      ->type_name("WORD")
+  add_choice(app, "--side", options.side, {"inside", "outside"},
+             "the side of the surface to project to: inside or outside")
       ->capture_default_str();
-  app.add_option("--method", options.method,
-                 "exact: whole triangles; samples: samples of the surface; kd-tree: the same, by "
-                 "CGAL's search, slower (default: exact for meshes, samples for points)")
-      ->check(CLI::IsMember(std::vector<std::string>{"exact", "samples", "kd-tree"}))
-      ->type_name("WORD");
+  add_choice(app, "--method", options.method, {"exact", "samples", "kd-tree"},
+             "exact: whole triangles; samples: samples of the surface; kd-tree: the same, by "
+             "CGAL's search, slower (default: exact for meshes, samples for points)");
   app.add_option("--sampling-ratio", options.sampling_ratio,
                  "samples and kd-tree: the spacing of the samples, as a fraction of sigma")
       ->type_name("FRACTION")
@@ -151,18 +146,6 @@ std::vector<double> evaluate(const Surface& surface, const std::vector<AP::Query
   return AP::evaluate_at_points<Tag>(queries, [&](const AP::Scale& scale) {
     return AP::Sampled_evaluator(surface, scale.radius, side, spacing(scale), Tag());
   });
-}
-
-/// \throw Usage_error if the output would replace an input, Output_error if it cannot be written.
-void check_output(const Evaluate_options& options)
-{
-  for(const std::string& input : {options.mesh, options.queries}) {
-    std::error_code ignored; // of a file that does not exist
-    if(std::filesystem::equivalent(input, options.output, ignored))
-      throw Usage_error("--output " + options.output + " would replace the input " + input +
-                        ": choose another name");
-  }
-  check_writable(options.output);
 }
 
 void write_table(std::ostream& stream, const std::vector<AP::Query>& queries,
@@ -256,7 +239,7 @@ bool run_evaluate(const std::vector<std::string>& arguments, Console& console)
   if(options.is_to_stdout())
     console.give_stdout_away();
   else
-    check_output(options);
+    check_output("--output", options.output, {options.mesh, options.queries});
 
   const std::vector<AP::Query> queries = read_queries(options);
   const Thread_limit limit(number_of_threads(options.common.threads));

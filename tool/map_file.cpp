@@ -48,6 +48,18 @@ void check_writable(const std::string& file)
     IO::internal::Atomic_file probe(file); // is removed at once, since it is not committed
 }
 
+void check_output(const std::string& option, const std::string& file,
+                  const std::vector<std::string>& inputs)
+{
+  for(const std::string& input : inputs) {
+    std::error_code ignored; // of a file that does not exist
+    if(std::filesystem::equivalent(input, file, ignored))
+      throw Usage_error(option + " " + file + " would replace the input " + input +
+                        ": choose another name");
+  }
+  check_writable(file);
+}
+
 void write_map(const std::string& file, const IO::Grid_image& image, bool is_compressed)
 {
   IO::Image_options options;

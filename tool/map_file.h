@@ -24,6 +24,10 @@ void check_extension(const std::string& option, const std::string& file,
 /// \throw Output_error if a file of that name cannot be made; found out before a long computation.
 void check_writable(const std::string& file);
 
+/// \throw Usage_error if the output would replace an input, Output_error if it cannot be written.
+void check_output(const std::string& option, const std::string& file,
+                  const std::vector<std::string>& inputs);
+
 /// writes .vti or .nrrd.
 /// \throw Output_error if it cannot be written.
 void write_map(const std::string& file, const CGAL::Area_projection::IO::Grid_image& image,

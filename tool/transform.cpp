@@ -7,10 +7,10 @@
 // mapt transform: from a mesh to its maps.
 
 #include "commands.h"
+#include "cost.h"
 #include "describe_input.h"
 #include "local_maxima.h"
 #include "map_file.h"
-#include "memory.h"
 #include "picture.h"
 #include "progress.h"
 #include "text.h"
@@ -18,7 +18,6 @@
 #include "transform_output.h"
 
 #include <algorithm>
-#include <chrono>
 #include <cmath>
 #include <cstdio>
 
@@ -27,22 +26,6 @@ namespace mapt {
 namespace {
 
 using Json = nlohmann::ordered_json;
-
-// The seconds since it was made or asked.
-class Stopwatch
-{
-public:
-  double seconds()
-  {
-    const auto now = std::chrono::steady_clock::now();
-    const std::chrono::duration<double> passed = now - m_start;
-    m_start = now;
-    return passed.count();
-  }
-
-private:
-  std::chrono::steady_clock::time_point m_start = std::chrono::steady_clock::now();
-};
 
 std::vector<double> radii_of(const Transform_plan& plan)
 {
@@ -203,18 +186,6 @@ void write_files(const std::vector<Side_maps>& maps, const Surface& surface,
   }
 }
 
-void report_end(double reading, double computing, double writing, Console& console)
-{
-  console.report["seconds"] = {{"read", reading},
-                               {"compute", computing},
-                               {"write", writing},
-                               {"total", reading + computing + writing}};
-  console.report["peak_memory_bytes"] = peak_memory();
-  console.row("time", to_text(reading, 2) + " s to read, " + to_text(computing, 2) +
-                          " s to compute, " + to_text(writing, 2) + " s to write");
-  console.row("memory", bytes_to_text(peak_memory()) + " at the peak");
-}
-
 } // namespace
 
 bool run_transform(const std::vector<std::string>& arguments, Console& console)
@@ -247,7 +218,7 @@ bool run_transform(const std::vector<std::string>& arguments, Console& console)
   write_files(maps, *surface, plan, options, console);
   const double writing = watch.seconds();
 
-  report_end(reading, computing, writing, console);
+  report_cost({reading, computing, writing}, console);
   report_area_outside(maps, surface->total_area(), console);
   for(const std::string file : console.report["outputs"])
     console.row("written", file);

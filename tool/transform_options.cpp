@@ -17,12 +17,6 @@ namespace mapt {
 
 namespace {
 
-CLI::Option* add_choice(CLI::App& app, const std::string& name, std::string& word,
-                        const std::vector<std::string>& words, const std::string& description)
-{
-  return app.add_option(name, word, description)->check(CLI::IsMember(words))->type_name("WORD");
-}
-
 void add_files(CLI::App& app, Transform_options& options)
 {
   app.add_option("MESH", options.mesh,

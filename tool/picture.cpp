@@ -8,6 +8,7 @@
 
 #include "canvas.h"
 #include "text.h"
+#include "views.h"
 
 #include <algorithm>
 #include <array>
@@ -17,23 +18,7 @@ namespace mapt {
 
 namespace {
 
-constexpr Colour ground{18, 18, 22};
-constexpr Colour silhouette{58, 58, 66};
-constexpr Colour ink{215, 215, 220};
-constexpr Colour faint_ink{90, 90, 98};
-constexpr int margin = 20; // room around a panel; its axes are drawn in it
-constexpr int font_size = 2;
-
-// Which axes of space the page shows to the right and upward.
-struct View
-{
-  int right, up;
-};
-constexpr const char* axis_names[] = {"x", "y", "z"};
-
-// Arranged as in a technical drawing, so that neighbours share an axis: from the front, from the side
-// to the right of it, from the top below it.
-constexpr View front{0, 1}, side{2, 1}, top{0, 2};
+using namespace palette;
 
 // The pixels of one view, one for each line of voxels.
 class Panel
@@ -47,9 +32,6 @@ public:
       , m_is_covered(m_values.size(), false)
   {}
 
-  int width() const { return m_width; }
-  int height() const { return m_height; }
-
   void add_value(const std::array<int, 3>& voxel, float value)
   {
     float& largest = m_values[index(voxel)];
@@ -58,8 +40,9 @@ public:
 
   void cover(const std::array<int, 3>& voxel) { m_is_covered[index(voxel)] = true; }
 
-  void draw(Canvas& canvas, int x, int y, int factor, double largest) const
+  void draw(Canvas& canvas, const Frame& frame, double largest) const
   {
+    const int factor = frame.width / m_width;
     for(int v = 0; v < m_height; ++v)
       for(int u = 0; u < m_width; ++u) {
         const std::size_t i = std::size_t(u) + std::size_t(m_width) * std::size_t(v);
@@ -67,18 +50,9 @@ public:
         const Colour& behind = m_is_covered[i] ? silhouette : ground;
         for(std::size_t c = 0; c < colour.size(); ++c)
           colour[c] = std::max(colour[c], behind[c]);
-        canvas.fill(x + factor * u, y + factor * (m_height - 1 - v), factor, factor, colour);
+        canvas.fill(frame.x + factor * u, frame.bottom() - factor * (v + 1), factor, factor,
+                    colour);
       }
-  }
-
-  // names the axes at their ends
-  void draw_axes(Canvas& canvas, int x, int y, int factor) const
-  {
-    const int right = x + factor * m_width, bottom = y + factor * m_height;
-    canvas.fill(x - 6, bottom + 4, right - x + 6, 2, faint_ink);
-    canvas.fill(x - 6, y, 2, bottom - y + 6, faint_ink);
-    canvas.write(right + 4, bottom - 2, axis_names[m_view.right], font_size, ink);
-    canvas.write(x - 9, y - 18, axis_names[m_view.up], font_size, ink);
   }
 
 private:
@@ -146,27 +120,26 @@ void draw_colour_bar(Canvas& canvas, int x, int y, int height, double largest)
 void write_picture(const std::string& file, const AP::Joint_map& map, const Picture_source& surface)
 {
   const AP::Grid_3& grid = map.grid();
-  std::vector<Panel> panels{{front, grid}, {side, grid}, {top, grid}};
+  std::vector<Panel> panels;
+  for(const View& view : views)
+    panels.emplace_back(view, grid);
   add_values(map, panels);
   add_silhouette(surface, grid, panels);
   const float largest =
       map.values().empty() ? 0.f : *std::max_element(map.values().begin(), map.values().end());
 
-  constexpr int wanted = 400, between = 3 * margin, bar = 110, smallest_bar = 120;
-  const auto& size = grid.size();
+  constexpr int wanted = 400, bar = 110, smallest_bar = 120;
+  std::array<int, 3> size = grid.size();
   const int factor = std::max(wanted / *std::max_element(size.begin(), size.end()), 1);
-  const int first_x = margin + 8, first_y = margin + 8;
-  const int second_x = first_x + factor * size[0] + between;
-  const int second_y = first_y + factor * size[1] + between;
-  const int bar_x = second_x + factor * size[2] + between;
-  const int height = std::max(second_y + factor * size[2], first_y + smallest_bar);
+  for(int& pixels : size)
+    pixels *= factor;
+  const std::array<Frame, 3> frames = arrange(size);
+  const int first_y = frames[0].y, bar_x = frames[1].right() + 3 * margin;
+  const int height = std::max(frames[2].bottom(), first_y + smallest_bar);
   Canvas canvas(bar_x + bar, height + margin + 8, ground);
-  const std::array<std::array<int, 2>, 3> corners{
-      {{first_x, first_y}, {second_x, first_y}, {first_x, second_y}}};
   for(std::size_t i = 0; i < panels.size(); ++i) {
-    const auto [x, y] = corners[i];
-    panels[i].draw(canvas, x, y, factor, largest);
-    panels[i].draw_axes(canvas, x, y, factor);
+    panels[i].draw(canvas, frames[i], largest);
+    draw_axes(canvas, views[i], frames[i]);
   }
   draw_colour_bar(canvas, bar_x, first_y, height - first_y, largest);
   canvas.write_PNG(file);

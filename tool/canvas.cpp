@@ -39,9 +39,33 @@ constexpr Glyph glyphs[] = {
   {'8', " ### #   ##   # ### #   ##   # ### "},
   {'9', " ### #   ##   # ####    #   #  ##  "},
   {'.', "                          ##   ##  "},
+  {',', "                          ##   #   "},
   {'-', "               #####               "},
   {'+', "       #    #  #####  #    #       "},
+  {'%', "##   ##  #   #   #   #   #  ##   ##"},
+  {'a', "          ####     # #####   # ####"},
+  {'b', "#    #    #### #   ##   ##   ##### "},
+  {'c', "           #####    #    #     ####"},
+  {'d', "    #    # #####   ##   ##   # ####"},
   {'e', "           ### #   ######     ### "},
+  {'f', "  ### #    #   ####  #    #    #   "},
+  {'g', "           #####   # ####    # ### "},
+  {'h', "#    #    #### #   ##   ##   ##   #"},
+  {'i', "  #        ##    #    #    #   ### "},
+  {'j', "   #        ##    #    # #  #  ##  "},
+  {'k', "#    #    #  # # #  ##   # #  #  # "},
+  {'l', " ##    #    #    #    #    #   ### "},
+  {'m', "          ## # # # ## # ## # ## # #"},
+  {'n', "          #### #   ##   ##   ##   #"},
+  {'o', "           ### #   ##   ##   # ### "},
+  {'p', "          #### #   ##### #    #    "},
+  {'q', "           #####   # ####    #    #"},
+  {'r', "          # ## ##   #    #    #    "},
+  {'s', "           #####     ###     ##### "},
+  {'t', " #    #   ####  #    #    #     ## "},
+  {'u', "          #   ##   ##   ##   # ####"},
+  {'v', "          #   ##   ##   # # #   #  "},
+  {'w', "          #   ##   ## # ## # # # # "},
   {'x', "          #   # # #   #   # # #   #"},
   {'y', "          #   ##   # ####    # ### "},
   {'z', "          #####   #   #   #   #####"},
@@ -58,6 +82,14 @@ const char* pixels_of(char letter)
 
 } // namespace
 
+Colour mix(const Colour& first, const Colour& second, double share)
+{
+  Colour colour;
+  for(std::size_t c = 0; c < colour.size(); ++c)
+    colour[c] = std::uint8_t(std::lround((1 - share) * first[c] + share * second[c]));
+  return colour;
+}
+
 Colour colour_of(double value)
 {
   // Anchors of the colour map inferno of matplotlib, which is in the public domain.
@@ -73,11 +105,7 @@ Colour colour_of(double value)
   const double place = std::clamp(value, 0., 1.) * double(anchors.size() - 1);
   const std::size_t below = std::min(std::size_t(place), anchors.size() - 2);
   const double fraction = place - double(below);
-  Colour colour;
-  for(std::size_t c = 0; c < colour.size(); ++c)
-    colour[c] = std::uint8_t(
-        std::lround((1 - fraction) * anchors[below][c] + fraction * anchors[below + 1][c]));
-  return colour;
+  return mix(anchors[below], anchors[below + 1], fraction);
 }
 
 Canvas::Canvas(int width, int height, const Colour& ground)
@@ -91,8 +119,31 @@ void Canvas::fill(int x, int y, int width, int height, const Colour& colour)
   const int last_x = std::min(x + width, m_width), last_y = std::min(y + height, m_height);
   for(int row = std::max(y, 0); row < last_y; ++row)
     for(int column = std::max(x, 0); column < last_x; ++column)
-      std::copy(colour.begin(), colour.end(),
-                m_bytes.begin() + 3 * (std::ptrdiff_t(row) * m_width + column));
+      std::copy(colour.begin(), colour.end(), m_bytes.begin() + std::ptrdiff_t(index(column, row)));
+}
+
+void Canvas::blend(int x, int y, const Colour& colour, double opacity)
+{
+  if(x < 0 || y < 0 || x >= m_width || y >= m_height)
+    return;
+  const std::size_t i = index(x, y);
+  const Colour below{m_bytes[i], m_bytes[i + 1], m_bytes[i + 2]};
+  fill(x, y, 1, 1, mix(below, colour, opacity));
+}
+
+void Canvas::draw_halved(const Canvas& other, int x, int y)
+{
+  for(int row = 0; row < other.m_height / 2; ++row)
+    for(int column = 0; column < other.m_width / 2; ++column) {
+      const std::size_t above = other.index(2 * column, 2 * row);
+      const std::size_t below = other.index(2 * column, 2 * row + 1);
+      Colour mean;
+      for(std::size_t c = 0; c < mean.size(); ++c)
+        mean[c] = std::uint8_t((other.m_bytes[above + c] + other.m_bytes[above + 3 + c] +
+                                other.m_bytes[below + c] + other.m_bytes[below + 3 + c] + 2) /
+                               4);
+      fill(x + column, y + row, 1, 1, mean);
+    }
 }
 
 void Canvas::write(int x, int y, const std::string& text, int size, const Colour& colour)

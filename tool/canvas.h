@@ -8,6 +8,7 @@
 #define MAPT_CANVAS_H
 
 #include <array>
+#include <cstddef>
 #include <cstdint>
 #include <string>
 #include <vector>
@@ -15,6 +16,9 @@
 namespace mapt {
 
 using Colour = std::array<std::uint8_t, 3>; // red, green, blue
+
+/// between two colours: the second for a share of 1.
+Colour mix(const Colour& first, const Colour& second, double share);
 
 /// the colour of a value in [0, 1]: from black by purple and orange to a light yellow, evenly to the
 /// eye and also without colours ("inferno").
@@ -33,7 +37,13 @@ public:
   /// fills a rectangle, as much of it as there is on the canvas.
   void fill(int x, int y, int width, int height, const Colour& colour);
 
-  /// writes digits, signs and x, y, z in pixels of the given size; (x, y) is their top left.
+  /// lets a colour cover a pixel in part; nothing happens off the canvas.
+  void blend(int x, int y, const Colour& colour, double opacity);
+
+  /// draws another canvas at half its size; (x, y) is the top left.
+  void draw_halved(const Canvas& other, int x, int y);
+
+  /// writes digits, small letters and signs in pixels of the given size; (x, y) is their top left.
   void write(int x, int y, const std::string& text, int size, const Colour& colour);
 
   /// the width of a text, in units of `size`.
@@ -44,6 +54,11 @@ public:
   void write_PNG(const std::string& file) const;
 
 private:
+  std::size_t index(int x, int y) const
+  {
+    return 3 * (std::size_t(x) + std::size_t(m_width) * std::size_t(y));
+  }
+
   int m_width;
   int m_height;
   std::vector<std::uint8_t> m_bytes;

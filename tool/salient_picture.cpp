@@ -1,0 +1,258 @@
+// Copyright (c) 2026 The Area Projection Transform authors.
+//
+// This file is part of the Area_projection_transform package.
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#include "salient_picture.h"
+
+#include "canvas.h"
+#include "marks.h"
+#include "text.h"
+#include "views.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <cstddef>
+#include <numeric>
+
+namespace mapt {
+
+namespace {
+
+using namespace palette;
+using AP::Salient_point;
+using AP::Salient_shape;
+
+constexpr int oversampling = 2; // against stairs; `draw_halved()` undoes it
+
+bool is_tube(const Salient_point& point)
+{
+  return point.shape == Salient_shape::TUBE || point.shape == Salient_shape::CONE;
+}
+
+// From blue by violet to red. Green is left to holes.
+Colour colour_of_sphericity(double sphericity)
+{
+  constexpr Colour blue{70, 140, 255}, violet{190, 95, 235}, red{255, 84, 52};
+  const double s = std::clamp(sphericity, 0., 1.);
+  return s < 0.5 ? mix(blue, violet, 2 * s) : mix(violet, red, 2 * s - 1);
+}
+
+// What was fitted tells the kind of shape better than the sphericity of the map, which then only tints.
+double drawn_sphericity(const Salient_point& point, Salient_style style)
+{
+  const bool is_fitted = style == Salient_style::FITS;
+  const double sphericity = std::isnan(point.sphericity) ? 0.5 : point.sphericity;
+  if(is_fitted && point.shape == Salient_shape::SPHERE)
+    return 0.8 + 0.2 * sphericity;
+  if(is_fitted && is_tube(point))
+    return 0.2 * sphericity;
+  return sphericity;
+}
+
+Colour dimmed(const Colour& colour, double intensity, double largest)
+{
+  const double share = intensity > 0 && largest > 0 ? std::sqrt(intensity / largest) : 0;
+  return mix(ground, colour, 0.45 + 0.55 * std::min(share, 1.));
+}
+
+// The cross-sections of a tube, straight or bent, as a function of the length along its axis.
+std::vector<Cross_section> sections_of(const Salient_point& tube)
+{
+  const double bend = std::sqrt(tube.curvature.squared_length());
+  const double length = tube.length > 0 ? tube.length : 2 * tube.radius;
+  const int steps = bend > 0 ? 2 + int(20 * std::min(bend * length, 6.)) : 1;
+  std::vector<Cross_section> sections;
+  for(int i = 0; i <= steps; ++i) {
+    const double along = length * (double(i) / steps - 0.5);
+    const double radius = std::max(tube.radius + tube.slope * along, 0.);
+    if(bend == 0) {
+      sections.push_back({tube.position + along * tube.axis, tube.axis, radius});
+      continue;
+    }
+    const AP::Vector_3 inward = tube.curvature / bend;
+    const double angle = bend * along, s = std::sin(angle), c = std::cos(angle);
+    sections.push_back({tube.position + (s / bend) * tube.axis + ((1 - c) / bend) * inward,
+                        c * tube.axis + s * inward, radius});
+  }
+  return sections;
+}
+
+double half_scale(const Salient_point& point)
+{
+  return point.scale > 0 ? 0.5 * point.scale : 0;
+}
+
+void draw_point(Canvas& canvas, const Camera& camera, const Salient_point& point,
+                const Colour& colour, Salient_style style)
+{
+  const bool is_fitted = style == Salient_style::FITS && point.radius > 0;
+  if(is_fitted && is_tube(point))
+    draw_tube(canvas, camera, sections_of(point), colour);
+  else if(is_fitted && point.shape == Salient_shape::SPHERE)
+    draw_sphere(canvas, camera, point.position, point.radius, colour);
+  else
+    draw_ball(canvas, camera, point.position, half_scale(point), colour);
+}
+
+double largest_intensity(const std::vector<Salient_point>& points)
+{
+  double largest = 0;
+  for(const Salient_point& point : points)
+    if(point.intensity > largest)
+      largest = point.intensity;
+  return largest;
+}
+
+// Large ones first, so that small ones are seen before them.
+std::vector<std::size_t> order_of_drawing(const std::vector<Salient_point>& points)
+{
+  std::vector<std::size_t> order(points.size());
+  std::iota(order.begin(), order.end(), std::size_t(0));
+  const auto size = [&](std::size_t i) {
+    return points[i].radius > 0 ? points[i].radius : half_scale(points[i]);
+  };
+  std::stable_sort(order.begin(), order.end(),
+                   [&](std::size_t a, std::size_t b) { return size(a) > size(b); });
+  return order;
+}
+
+// The surface, and points outside of it, unless they are far away.
+CGAL::Bbox_3 box_of(const Picture_source& surface, const std::vector<Salient_point>& points)
+{
+  const CGAL::Bbox_3 body = std::visit([](const auto* s) { return s->bbox(); }, surface);
+  const double room = 0.15 * std::max({body.x_span(), body.y_span(), body.z_span()});
+  CGAL::Bbox_3 box = body;
+  for(const Salient_point& point : points)
+    box += point.position.bbox();
+  return {std::max(box.xmin(), body.xmin() - room), std::max(box.ymin(), body.ymin() - room),
+          std::max(box.zmin(), body.zmin() - room), std::min(box.xmax(), body.xmax() + room),
+          std::min(box.ymax(), body.ymax() + room), std::min(box.zmax(), body.zmax() + room)};
+}
+
+// Pixels per unit of length: two views abreast fill the width, unless that makes the page too tall.
+double scale_for(const CGAL::Bbox_3& box)
+{
+  constexpr double wanted_width = 1400, largest_height = 1800;
+  return std::min(wanted_width / (box.x_span() + box.z_span()),
+                  largest_height / (box.y_span() + box.z_span()));
+}
+
+// -- the legend -----------------------------------------------------------------------------------
+
+constexpr int legend_width = 300, legend_height = 250;
+
+void draw_gradient(Canvas& canvas, int x, int y, const std::string& name, const std::string& first,
+                   const std::string& last, const std::array<Colour, 65>& colours)
+{
+  constexpr int height = 14;
+  for(int i = 0; i < int(colours.size()); ++i)
+    canvas.fill(x + 2 * i, y, 2, height, colours[std::size_t(i)]);
+  const int right = x + 2 * int(colours.size());
+  canvas.write(right + 12, y, name, font_size, ink);
+  canvas.write(x, y + height + 6, first, font_size, faint_ink);
+  canvas.write(right - font_size * Canvas::text_width(last), y + height + 6, last, font_size,
+               faint_ink);
+}
+
+// What the marks look like, each drawn as on the page.
+void draw_symbol(Canvas& canvas, int x, int y, const Salient_point& point, Salient_style style)
+{
+  Canvas symbol(52, 52, ground);
+  const Camera camera(views[0], CGAL::Bbox_3(-1, -1, -1, 1, 1, 1), 26);
+  draw_point(symbol, camera, point, colour_of_sphericity(drawn_sphericity(point, style)), style);
+  canvas.draw_halved(symbol, x, y);
+}
+
+Salient_point symbol_of(Salient_shape shape)
+{
+  Salient_point point;
+  point.shape = shape;
+  point.radius = shape == Salient_shape::TUBE ? 0.45 : 0.9;
+  point.length = 1.5;
+  point.axis = AP::Vector_3(0.8, 0.6, 0);
+  point.scale = 1;
+  point.sphericity = shape == Salient_shape::SPHERE ? 1 : shape == Salient_shape::TUBE ? 0 : 0.5;
+  return point;
+}
+
+int draw_symbols(Canvas& canvas, int x, int y, const std::vector<Salient_point>& points)
+{
+  constexpr int line = 32;
+  const struct
+  {
+    Salient_shape shape;
+    const char* name;
+  } kinds[] = {{Salient_shape::SPHERE, "sphere"},
+               {Salient_shape::TUBE, "tube"},
+               {Salient_shape::OTHER, "other"}};
+  for(const auto& kind : kinds) {
+    const auto number = std::count_if(points.begin(), points.end(), [&](const Salient_point& p) {
+      return p.shape == kind.shape || (kind.shape == Salient_shape::TUBE && is_tube(p));
+    });
+    if(number == 0)
+      continue;
+    draw_symbol(canvas, x, y, symbol_of(kind.shape), Salient_style::FITS);
+    canvas.write(x + 42, y + 6, std::to_string(number) + " " + kind.name, font_size, ink);
+    y += line;
+  }
+  return y;
+}
+
+void draw_legend(Canvas& canvas, int x, int y, const std::vector<Salient_point>& points,
+                 bool has_holes, Salient_style style)
+{
+  const double largest = largest_intensity(points);
+  std::array<Colour, 65> by_sphericity, by_intensity;
+  for(std::size_t i = 0; i < by_sphericity.size(); ++i) {
+    const double place = double(i) / double(by_sphericity.size() - 1);
+    by_sphericity[i] = colour_of_sphericity(place);
+    by_intensity[i] = dimmed(ink, place * largest, largest);
+  }
+  if(style == Salient_style::FITS)
+    y = draw_symbols(canvas, x, y, points) + 8;
+  if(!points.empty()) {
+    draw_gradient(canvas, x, y, "sphericity", "0", "1", by_sphericity);
+    draw_gradient(canvas, x, y + 52, "intensity", "0", to_text(largest, 3), by_intensity);
+    y += 112;
+  }
+  if(has_holes) {
+    canvas.fill(x, y + 6, 26, 2, hole_colour);
+    canvas.write(x + 42, y, "hole", font_size, ink);
+  }
+}
+
+} // namespace
+
+void write_salient_picture(const std::string& file, const Picture_source& surface,
+                           const std::vector<Salient_point>& points,
+                           const std::vector<Segment>& holes, Salient_style style)
+{
+  const CGAL::Bbox_3 box = box_of(surface, points);
+  const double scale = scale_for(box), largest = largest_intensity(points);
+  std::array<int, 3> size;
+  for(int axis = 0; axis < 3; ++axis)
+    size[std::size_t(axis)] = 1 + int(scale * (box.max(axis) - box.min(axis)));
+  const std::array<Frame, 3> frames = arrange(size);
+  const int legend_x = frames[1].x, legend_y = frames[2].y;
+  Canvas canvas(std::max(frames[1].right(), legend_x + legend_width) + 2 * margin,
+                std::max(frames[2].bottom(), legend_y + legend_height) + margin + 8, ground);
+  for(std::size_t i = 0; i < frames.size(); ++i) {
+    const Camera camera(views[i], box, oversampling * scale);
+    Canvas page(camera.width(), camera.height(), ground);
+    draw_body(page, camera, surface, holes);
+    for(const std::size_t p : order_of_drawing(points))
+      draw_point(page, camera, points[p],
+                 dimmed(colour_of_sphericity(drawn_sphericity(points[p], style)),
+                        points[p].intensity, largest),
+                 style);
+    canvas.draw_halved(page, frames[i].x, frames[i].y);
+    draw_axes(canvas, views[i], frames[i]);
+  }
+  draw_legend(canvas, legend_x, legend_y, points, !holes.empty(), style);
+  canvas.write_PNG(file);
+}
+
+} // namespace mapt

@@ -14,7 +14,7 @@ namespace mapt {
 namespace {
 
 constexpr Colour darkest{26, 27, 33};
-constexpr Colour lightest{136, 139, 150};
+constexpr Colour lightest{122, 125, 135};
 constexpr double pi = 3.141592653589793;
 
 // How light a face is, in [0, 1], by its normal: to the right, upward, towards the viewer.

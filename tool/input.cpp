@@ -285,6 +285,7 @@ void take_points(const Input_file& file, Raw_mesh&& raw, const Reading_options& 
       continue;
     }
     input.points.push_back(raw.points[i]);
+    input.source_points.push_back(std::uint32_t(i));
     input.normals.push_back(n / (options.flip ? -length : length));
     if(!raw.areas.empty())
       input.areas.push_back(raw.areas[i]);

@@ -45,6 +45,7 @@ struct Input
   std::vector<std::array<std::uint32_t, 3>> triangles; // none of a point set
   std::vector<std::uint32_t> source_faces;             // the face of the file of each triangle
   std::vector<Vector_3> normals;                       // of a point set
+  std::vector<std::uint32_t> source_points;            // the place in the file of each point of one
   std::vector<double> areas;                           // of a point set, if the file has them
   Mesh_report report;
 };

@@ -33,6 +33,7 @@ const std::vector<Command>& commands()
   static const std::vector<Command> all{
       {"transform", "maps of a mesh: the surface that projects to each voxel", run_transform},
       {"evaluate", "the same at given points and radii", run_evaluate},
+      {"salient", "the centres of spheres and tubes, with radii", run_salient},
       {"info", "what is in a mesh or a map, and what is wrong with it", run_info}};
   return all;
 }

@@ -22,7 +22,6 @@ constexpr int rim = 4;
 constexpr double dot = 6;
 constexpr double axis_width = 3;
 
-constexpr double opacity_of_inside = 0.26, opacity_of_rim = 0.95;
 constexpr double pi = 3.141592653589793;
 
 // The part of a canvas that a shape can cover, with room for its rim.
@@ -42,23 +41,43 @@ Window window_around(const Canvas& canvas, double left, double top, double right
           std::max(clamped(std::ceil(bottom) + rim, canvas.height()) - y, 1)};
 }
 
-// Whether a pixel lies within `rim` of one that is not covered. Off the canvas all is as at its border.
-bool is_at_rim(const Rasterizer& shape, int x, int y)
+// Places around the origin at the distance of the rim.
+std::array<std::array<int, 2>, 24> circle_of_rim()
 {
-  for(int dy = -rim; dy <= rim; ++dy)
-    for(int dx = -rim; dx <= rim; ++dx)
-      if(dx * dx + dy * dy <= rim * rim && !shape.is_covered(x + dx, y + dy))
-        return true;
-  return false;
+  std::array<std::array<int, 2>, 24> circle;
+  for(std::size_t i = 0; i < circle.size(); ++i) {
+    const double angle = 2 * pi * double(i) / double(circle.size());
+    circle[i] = {int(std::lround(rim * std::cos(angle))), int(std::lround(rim * std::sin(angle)))};
+  }
+  return circle;
 }
 
-void stamp(Canvas& canvas, const Rasterizer& shape, const Window& window, const Colour& colour)
+// How much a mark covers what is behind it.
+struct Opacity
 {
+  double inside, rim;
+};
+
+// The stronger, the less is seen of what is behind.
+Opacity opacity_of(double strength)
+{
+  return {0.08 + 0.24 * strength, 0.55 + 0.4 * strength};
+}
+
+void stamp(Canvas& canvas, const Rasterizer& shape, const Window& window, const Paint& paint)
+{
+  const Opacity opacity = opacity_of(paint.strength);
+  static const auto circle = circle_of_rim();
   for(int y = 0; y < shape.height(); ++y)
-    for(int x = 0; x < shape.width(); ++x)
-      if(shape.is_covered(x, y))
-        canvas.blend(window.left + x, window.top + y, colour,
-                     is_at_rim(shape, x, y) ? opacity_of_rim : opacity_of_inside);
+    for(int x = 0; x < shape.width(); ++x) {
+      if(!shape.is_covered(x, y))
+        continue;
+      const bool is_at_rim = std::any_of(circle.begin(), circle.end(), [&](const auto& step) {
+        return !shape.is_covered(x + step[0], y + step[1]);
+      });
+      canvas.blend(window.left + x, window.top + y, paint.colour,
+                   is_at_rim ? opacity.rim : opacity.inside);
+    }
 }
 
 // Calls `visit(x, y)` for the pixels of the canvas that a square may touch.
@@ -149,19 +168,19 @@ void draw_ball(Canvas& canvas, const Camera& camera, const AP::Point_3& centre, 
 }
 
 void draw_sphere(Canvas& canvas, const Camera& camera, const AP::Point_3& centre, double radius,
-                 const Colour& colour)
+                 const Paint& paint)
 {
   const Page_point c = camera(centre);
   const double r = std::max(camera.scale() * radius, dot);
   const Window window = window_around(canvas, c.x - r, c.y - r, c.x + r, c.y + r);
   Rasterizer shape(window.width, window.height);
   shape.add_disk({c.x - window.left, c.y - window.top}, r, 1);
-  stamp(canvas, shape, window, colour);
-  draw_dot(canvas, c, dot, colour);
+  stamp(canvas, shape, window, paint);
+  draw_dot(canvas, c, dot, paint.colour);
 }
 
 void draw_tube(Canvas& canvas, const Camera& camera, const std::vector<Cross_section>& sections,
-               const Colour& colour)
+               const Paint& paint)
 {
   std::vector<Ring> rings = rings_of(camera, sections);
   Page_point least = rings[0][0], most = least;
@@ -184,9 +203,9 @@ void draw_tube(Canvas& canvas, const Camera& camera, const std::vector<Cross_sec
       shape.add_triangle({rings[r][i], rings[r][j], rings[r + 1][i]}, 1);
       shape.add_triangle({rings[r + 1][i], rings[r][j], rings[r + 1][j]}, 1);
     }
-  stamp(canvas, shape, window, colour);
+  stamp(canvas, shape, window, paint);
   for(std::size_t r = 0; r + 1 < sections.size(); ++r)
-    draw_line(canvas, camera(sections[r].centre), camera(sections[r + 1].centre), colour);
+    draw_line(canvas, camera(sections[r].centre), camera(sections[r + 1].centre), paint.colour);
 }
 
 } // namespace mapt

@@ -24,6 +24,13 @@ struct Cross_section
   double radius;
 };
 
+/// what a mark is drawn in.
+struct Paint
+{
+  Colour colour;
+  double strength = 1; // in [0, 1]: how much an outline stands out
+};
+
 /// draws a solid ball.
 /// \param radius in the units of space
 void draw_ball(Canvas& canvas, const Camera& camera, const AP::Point_3& centre, double radius,
@@ -31,12 +38,12 @@ void draw_ball(Canvas& canvas, const Camera& camera, const AP::Point_3& centre, 
 
 /// draws the outline of a ball with a dot at its centre; what is behind shines through.
 void draw_sphere(Canvas& canvas, const Camera& camera, const AP::Point_3& centre, double radius,
-                 const Colour& colour);
+                 const Paint& paint);
 
 /// draws the outline of a tube, and its axis; what is behind shines through.
 /// \pre two sections or more
 void draw_tube(Canvas& canvas, const Camera& camera, const std::vector<Cross_section>& sections,
-               const Colour& colour);
+               const Paint& paint);
 
 } // namespace mapt
 

@@ -155,6 +155,12 @@ void find_components(const std::vector<Triangle>& triangles, const Sides& sides,
   }
 }
 
+Boundary_edge boundary_edge(std::uint32_t low, const Side& side)
+{
+  return side.is_ascending ? Boundary_edge{low, side.other, side.triangle}
+                           : Boundary_edge{side.other, low, side.triangle};
+}
+
 std::vector<Boundary_edge> count_edges(const Sides& sides, Mesh_topology& topology)
 {
   std::vector<Boundary_edge> boundary;
@@ -174,8 +180,7 @@ std::vector<Boundary_edge> count_edges(const Sides& sides, Mesh_topology& topolo
       component.is_consistently_oriented = false;
     }
     if(degree == 1)
-      boundary.push_back(first->is_ascending ? Boundary_edge{low, first->other, first->triangle}
-                                             : Boundary_edge{first->other, low, first->triangle});
+      boundary.push_back(boundary_edge(low, *first));
   });
   topology.boundary_edges = boundary.size();
   return boundary;
@@ -252,6 +257,20 @@ Mesh_topology analyse(const std::vector<Point_3>& points, const std::vector<std:
   measure(points, origin, triangles, topology);
   topology.holes = close_holes(points, origin, boundary, topology);
   return topology;
+}
+
+std::vector<std::array<std::uint32_t, 2>> boundary_edges(const std::vector<std::uint32_t>& joined,
+                                                         const std::vector<Triangle>& triangles)
+{
+  std::vector<std::array<std::uint32_t, 2>> edges;
+  Sides(triangles, joined)
+      .for_each_edge([&](std::uint32_t low, const Side* first, const Side* last) {
+        if(last - first == 1) {
+          const Boundary_edge edge = boundary_edge(low, *first);
+          edges.push_back({edge.from, edge.to});
+        }
+      });
+  return edges;
 }
 
 } // namespace mapt

@@ -10,6 +10,7 @@
 #include "input_file.h"
 #include "mesh_triangulation.h"
 
+#include <array>
 #include <cstddef>
 #include <cstdint>
 #include <vector>
@@ -50,6 +51,11 @@ std::vector<std::uint32_t> join_equal_points(const std::vector<Point_3>& points)
 /// position. The vertices of a triangle have three positions.
 Mesh_topology analyse(const std::vector<Point_3>& points, const std::vector<std::uint32_t>& joined,
                       const std::vector<Triangle>& triangles);
+
+/// returns the edges of one triangle each, from vertex to vertex as the triangle runs.
+/// \pre as for `analyse()`
+std::vector<std::array<std::uint32_t, 2>> boundary_edges(const std::vector<std::uint32_t>& joined,
+                                                         const std::vector<Triangle>& triangles);
 
 } // namespace mapt
 

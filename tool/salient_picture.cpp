@@ -52,10 +52,21 @@ double drawn_sphericity(const Salient_point& point, Salient_style style)
   return sphericity;
 }
 
-Colour dimmed(const Colour& colour, double intensity, double largest)
+// The share of an intensity in the largest, as the eye likes it.
+double strength_of(double intensity, double largest)
 {
-  const double share = intensity > 0 && largest > 0 ? std::sqrt(intensity / largest) : 0;
-  return mix(ground, colour, 0.45 + 0.55 * std::min(share, 1.));
+  return intensity > 0 && largest > 0 ? std::min(std::sqrt(intensity / largest), 1.) : 0;
+}
+
+Colour dimmed(const Colour& colour, double strength)
+{
+  return mix(ground, colour, 0.45 + 0.55 * strength);
+}
+
+Paint paint_of(const Salient_point& point, double largest, Salient_style style)
+{
+  const double strength = strength_of(point.intensity, largest);
+  return {dimmed(colour_of_sphericity(drawn_sphericity(point, style)), strength), strength};
 }
 
 // The cross-sections of a tube, straight or bent, as a function of the length along its axis.
@@ -86,15 +97,15 @@ double half_scale(const Salient_point& point)
 }
 
 void draw_point(Canvas& canvas, const Camera& camera, const Salient_point& point,
-                const Colour& colour, Salient_style style)
+                const Paint& paint, Salient_style style)
 {
   const bool is_fitted = style == Salient_style::FITS && point.radius > 0;
   if(is_fitted && is_tube(point))
-    draw_tube(canvas, camera, sections_of(point), colour);
+    draw_tube(canvas, camera, sections_of(point), paint);
   else if(is_fitted && point.shape == Salient_shape::SPHERE)
-    draw_sphere(canvas, camera, point.position, point.radius, colour);
+    draw_sphere(canvas, camera, point.position, point.radius, paint);
   else
-    draw_ball(canvas, camera, point.position, half_scale(point), colour);
+    draw_ball(canvas, camera, point.position, half_scale(point), paint.colour);
 }
 
 double largest_intensity(const std::vector<Salient_point>& points)
@@ -119,14 +130,33 @@ std::vector<std::size_t> order_of_drawing(const std::vector<Salient_point>& poin
   return order;
 }
 
-// The surface, and points outside of it, unless they are far away.
-CGAL::Bbox_3 box_of(const Picture_source& surface, const std::vector<Salient_point>& points)
+// What a mark covers, roughly.
+CGAL::Bbox_3 box_of(const Salient_point& point, Salient_style style)
+{
+  const bool is_fitted = style == Salient_style::FITS && point.radius > 0;
+  const double radius = is_fitted ? point.radius : half_scale(point);
+  CGAL::Bbox_3 box;
+  const auto add = [&](const AP::Point_3& p) {
+    box += (p + AP::Vector_3(radius, radius, radius)).bbox();
+    box += (p - AP::Vector_3(radius, radius, radius)).bbox();
+  };
+  if(is_fitted && is_tube(point))
+    for(const Cross_section& section : sections_of(point))
+      add(section.centre);
+  else
+    add(point.position);
+  return box;
+}
+
+// The surface, and marks that reach out of it, but not far.
+CGAL::Bbox_3 box_of(const Picture_source& surface, const std::vector<Salient_point>& points,
+                    Salient_style style)
 {
   const CGAL::Bbox_3 body = std::visit([](const auto* s) { return s->bbox(); }, surface);
-  const double room = 0.15 * std::max({body.x_span(), body.y_span(), body.z_span()});
+  const double room = 0.1 * std::max({body.x_span(), body.y_span(), body.z_span()});
   CGAL::Bbox_3 box = body;
   for(const Salient_point& point : points)
-    box += point.position.bbox();
+    box += box_of(point, style);
   return {std::max(box.xmin(), body.xmin() - room), std::max(box.ymin(), body.ymin() - room),
           std::max(box.zmin(), body.zmin() - room), std::min(box.xmax(), body.xmax() + room),
           std::min(box.ymax(), body.ymax() + room), std::min(box.zmax(), body.zmax() + room)};
@@ -162,7 +192,7 @@ void draw_symbol(Canvas& canvas, int x, int y, const Salient_point& point, Salie
 {
   Canvas symbol(52, 52, ground);
   const Camera camera(views[0], CGAL::Bbox_3(-1, -1, -1, 1, 1, 1), 26);
-  draw_point(symbol, camera, point, colour_of_sphericity(drawn_sphericity(point, style)), style);
+  draw_point(symbol, camera, point, paint_of(point, point.intensity, style), style);
   canvas.draw_halved(symbol, x, y);
 }
 
@@ -173,7 +203,7 @@ Salient_point symbol_of(Salient_shape shape)
   point.radius = shape == Salient_shape::TUBE ? 0.45 : 0.9;
   point.length = 1.5;
   point.axis = AP::Vector_3(0.8, 0.6, 0);
-  point.scale = 1;
+  point.scale = point.intensity = 1;
   point.sphericity = shape == Salient_shape::SPHERE ? 1 : shape == Salient_shape::TUBE ? 0 : 0.5;
   return point;
 }
@@ -184,10 +214,11 @@ int draw_symbols(Canvas& canvas, int x, int y, const std::vector<Salient_point>&
   const struct
   {
     Salient_shape shape;
-    const char* name;
-  } kinds[] = {{Salient_shape::SPHERE, "sphere"},
-               {Salient_shape::TUBE, "tube"},
-               {Salient_shape::OTHER, "other"}};
+    const char* one;
+    const char* many;
+  } kinds[] = {{Salient_shape::SPHERE, "sphere", "spheres"},
+               {Salient_shape::TUBE, "tube", "tubes"},
+               {Salient_shape::OTHER, "other", "others"}};
   for(const auto& kind : kinds) {
     const auto number = std::count_if(points.begin(), points.end(), [&](const Salient_point& p) {
       return p.shape == kind.shape || (kind.shape == Salient_shape::TUBE && is_tube(p));
@@ -195,7 +226,7 @@ int draw_symbols(Canvas& canvas, int x, int y, const std::vector<Salient_point>&
     if(number == 0)
       continue;
     draw_symbol(canvas, x, y, symbol_of(kind.shape), Salient_style::FITS);
-    canvas.write(x + 42, y + 6, std::to_string(number) + " " + kind.name, font_size, ink);
+    canvas.write(x + 42, y + 6, counted(std::size_t(number), kind.one, kind.many), font_size, ink);
     y += line;
   }
   return y;
@@ -209,7 +240,7 @@ void draw_legend(Canvas& canvas, int x, int y, const std::vector<Salient_point>&
   for(std::size_t i = 0; i < by_sphericity.size(); ++i) {
     const double place = double(i) / double(by_sphericity.size() - 1);
     by_sphericity[i] = colour_of_sphericity(place);
-    by_intensity[i] = dimmed(ink, place * largest, largest);
+    by_intensity[i] = dimmed(ink, std::sqrt(place));
   }
   if(style == Salient_style::FITS)
     y = draw_symbols(canvas, x, y, points) + 8;
@@ -230,7 +261,7 @@ void write_salient_picture(const std::string& file, const Picture_source& surfac
                            const std::vector<Salient_point>& points,
                            const std::vector<Segment>& holes, Salient_style style)
 {
-  const CGAL::Bbox_3 box = box_of(surface, points);
+  const CGAL::Bbox_3 box = box_of(surface, points, style);
   const double scale = scale_for(box), largest = largest_intensity(points);
   std::array<int, 3> size;
   for(int axis = 0; axis < 3; ++axis)
@@ -244,10 +275,7 @@ void write_salient_picture(const std::string& file, const Picture_source& surfac
     Canvas page(camera.width(), camera.height(), ground);
     draw_body(page, camera, surface, holes);
     for(const std::size_t p : order_of_drawing(points))
-      draw_point(page, camera, points[p],
-                 dimmed(colour_of_sphericity(drawn_sphericity(points[p], style)),
-                        points[p].intensity, largest),
-                 style);
+      draw_point(page, camera, points[p], paint_of(points[p], largest, style), style);
     canvas.draw_halved(page, frames[i].x, frames[i].y);
     draw_axes(canvas, views[i], frames[i]);
   }

@@ -1,0 +1,143 @@
+// Copyright (c) 2026 The Area Projection Transform authors.
+//
+// This file is part of the Area_projection_transform package.
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+// mapt salient: centres of spheres and tubes.
+
+#include "commands.h"
+#include "cost.h"
+#include "describe_input.h"
+#include "map_file.h"
+#include "mesh_topology.h"
+#include "progress.h"
+#include "salient_options.h"
+#include "salient_picture.h"
+#include "salient_points.h"
+#include "salient_report.h"
+#include "threads.h"
+
+#include <CGAL/Area_projection_transform/IO/salient_points_CSV.h>
+#include <CGAL/Area_projection_transform/IO/salient_points_PLY.h>
+#include <CGAL/Area_projection_transform/internal/atomic_file.h>
+
+#include <filesystem>
+#include <iostream>
+
+namespace mapt {
+
+namespace {
+
+void write_table(std::ostream& stream, const Salient_points& found)
+{
+  AP::IO::Salient_points_CSV_writer table(stream);
+  for(std::size_t i = 0; i < found.points.size(); ++i)
+    table.write(found.points[i], found.sides[i]);
+}
+
+// The elements of the file that those of the surface come from: some may have been left out, and polygons
+// have several triangles.
+std::vector<std::int32_t> places_in_file(const std::vector<std::uint32_t>& sources,
+                                         const Input& input)
+{
+  std::vector<std::int32_t> places;
+  for(const std::uint32_t source : sources)
+    places.push_back(
+        std::int32_t((input.is_point_set ? input.source_points : input.source_faces)[source]));
+  return places;
+}
+
+void write_voters(const Salient_points& found, const Surface& surface, const Input& input,
+                  const Salient_options& options)
+{
+  AP::IO::PLY_options ply;
+  ply.comments = {"mapt salient: salient_point is the row of the table, from 0, or -1",
+                  std::string(input.is_point_set ? "source_point" : "source_face") +
+                      " counts from 0 in " + std::filesystem::path(input.file).filename().string()};
+  std::visit(
+      [&](const auto* source) {
+        auto elements = AP::IO::salient_points_PLY(*source, found.points);
+        elements.back().add(input.is_point_set ? "source_point" : "source_face",
+                            places_in_file(source->sources, input));
+        AP::IO::write_PLY(options.voters, elements, ply);
+      },
+      surface.source());
+}
+
+std::vector<Segment> holes_of(const Input& input)
+{
+  std::vector<Segment> holes;
+  for(const auto& [from, to] : boundary_edges(join_equal_points(input.points), input.triangles))
+    holes.push_back({input.points[from], input.points[to]});
+  return holes;
+}
+
+void write_files(const Salient_points& found, const Surface& surface, const Input& input,
+                 const Salient_options& options, Console& console)
+{
+  auto& json = console.report["outputs"] = nlohmann::ordered_json::array();
+  if(!options.voters.empty()) {
+    write_voters(found, surface, input, options);
+    json.push_back(options.voters);
+  }
+  if(!options.picture.empty()) {
+    Signal_watch::check();
+    write_salient_picture(options.picture, surface.source(), found.points, holes_of(input),
+                          options.is_fitted() ? Salient_style::FITS : Salient_style::SCALES);
+    json.push_back(options.picture);
+  }
+  if(!options.is_to_stdout()) {
+    AP::IO::internal::Atomic_file file(options.output);
+    write_table(file.stream(), found);
+    file.commit();
+    json.push_back(options.output);
+  } else if(!console.is_json)
+    write_table(std::cout, found);
+}
+
+void check_outputs(const Salient_options& options)
+{
+  if(!options.is_to_stdout())
+    check_output("--output", options.output, {options.mesh});
+  if(!options.voters.empty())
+    check_output("--voters", options.voters, {options.mesh});
+  if(!options.picture.empty())
+    check_output("--picture", options.picture, {options.mesh});
+}
+
+} // namespace
+
+bool run_salient(const std::vector<std::string>& arguments, Console& console)
+{
+  Salient_options options;
+  if(!read_options(arguments, console, options))
+    return false;
+  check_outputs(options);
+  if(options.is_to_stdout())
+    console.give_stdout_away();
+
+  Stopwatch watch;
+  const Thread_limit limit(number_of_threads(options.common.threads));
+  const Input input = read_input(options.mesh, options.common.reading);
+  console.report["input"] = {{"file", options.mesh}};
+  console.report["input"].update(to_json(input.report));
+  console.row("mesh", options.mesh + ": " + summary(input));
+  warn_of(input, console);
+  report_parameters(options, console);
+  const double reading = watch.seconds();
+
+  const auto surface = make_surface(input, Surface_options(), 1);
+  const Salient_points found = find_points(*surface, options, console);
+  const double computing = watch.seconds();
+
+  const Signal_watch signals;
+  write_files(found, *surface, input, options, console);
+  report_cost({reading, computing, watch.seconds()}, console);
+  for(const std::string file : console.report["outputs"])
+    console.row("written", file);
+  report_points(found, options, console);
+  return true;
+}
+
+} // namespace mapt

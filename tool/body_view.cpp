@@ -66,23 +66,23 @@ void draw(Canvas& canvas, const Rasterizer& rasterizer)
   });
 }
 
-// Dots along a line of the page, each drawn or dimmed by what is before it.
-void draw_line(Canvas& canvas, const Rasterizer& rasterizer, const Page_point& a,
-               const Page_point& b)
+// Dots along a line of the page, those before or those behind the body.
+void draw_line(Canvas& canvas, const Rasterizer& body, const Page_point& a, const Page_point& b,
+               bool is_hidden)
 {
-  constexpr int width = 4;        // pixels
-  constexpr double tolerance = 4; // of nearness, since the line lies on the surface
+  const int width = is_hidden ? 2 : 3;
+  const double opacity = is_hidden ? 0.3 : 0.8;
+  constexpr double tolerance = 4; // pixels, since the line lies on the surface
   const int steps = 1 + int(std::hypot(b.x - a.x, b.y - a.y));
   for(int i = 0; i <= steps; ++i) {
     const double place = double(i) / steps;
     const int x = int(std::floor(a.x + place * (b.x - a.x)));
     const int y = int(std::floor(a.y + place * (b.y - a.y)));
     const double nearness = a.nearness + place * (b.nearness - a.nearness);
-    const bool is_hidden =
-        rasterizer.is_covered(x, y) && rasterizer.nearness(x, y) > nearness + tolerance;
-    const Colour colour = is_hidden ? mix(darkest, hole_colour, 0.45) : hole_colour;
-    const int dot = is_hidden ? width / 2 : width;
-    canvas.fill(x - dot / 2, y - dot / 2, dot, dot, colour);
+    if(is_hidden == (body.is_covered(x, y) && body.nearness(x, y) > nearness + tolerance))
+      for(int dot = 0; dot < width * width; ++dot)
+        canvas.blend(x + dot % width - width / 2, y + dot / width - width / 2, line_colour,
+                     opacity);
   }
 }
 
@@ -110,14 +110,19 @@ std::array<double, 3> Camera::turned(const AP::Vector_3& v) const
   return {v[m_view.right], v[m_view.up], m_sign * v[m_towards]};
 }
 
-void draw_body(Canvas& canvas, const Camera& camera, const Picture_source& surface,
-               const std::vector<Segment>& lines)
+Rasterizer draw_body(Canvas& canvas, const Camera& camera, const Picture_source& surface)
 {
-  Rasterizer rasterizer(camera.width(), camera.height());
-  std::visit([&](const auto* source) { add(*source, camera, rasterizer); }, surface);
-  draw(canvas, rasterizer);
+  Rasterizer body(camera.width(), camera.height());
+  std::visit([&](const auto* source) { add(*source, camera, body); }, surface);
+  draw(canvas, body);
+  return body;
+}
+
+void draw_lines(Canvas& canvas, const Camera& camera, const Rasterizer& body,
+                const std::vector<Segment>& lines, bool are_hidden)
+{
   for(const Segment& line : lines)
-    draw_line(canvas, rasterizer, camera(line[0]), camera(line[1]));
+    draw_line(canvas, body, camera(line[0]), camera(line[1]), are_hidden);
 }
 
 } // namespace mapt

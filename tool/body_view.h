@@ -47,16 +47,19 @@ private:
   int m_height;
 };
 
-/// the green of lines.
-constexpr Colour hole_colour{70, 230, 110};
+/// the green of lines on a body.
+constexpr Colour line_colour{70, 230, 110};
 
 using Segment = std::array<AP::Point_3, 2>;
 
-/// draws a surface in dim shades of grey, lit from the upper left, the inner side of its faces darker; and
-/// lines on it in green, fainter where the surface hides them.
+/// draws a surface in dim shades of grey, lit from the upper left, the inner side of its faces darker.
 /// \param canvas of the size of the camera
-void draw_body(Canvas& canvas, const Camera& camera, const Picture_source& surface,
-               const std::vector<Segment>& lines);
+/// \return what is seen at each pixel
+Rasterizer draw_body(Canvas& canvas, const Camera& camera, const Picture_source& surface);
+
+/// draws the parts of lines that a body hides, faintly, or those that it does not, in green.
+void draw_lines(Canvas& canvas, const Camera& camera, const Rasterizer& body,
+                const std::vector<Segment>& lines, bool are_hidden);
 
 } // namespace mapt
 

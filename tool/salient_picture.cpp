@@ -172,7 +172,7 @@ double scale_for(const CGAL::Bbox_3& box)
 
 // -- the legend -----------------------------------------------------------------------------------
 
-constexpr int legend_width = 300, legend_height = 250;
+constexpr int legend_width = 340, legend_height = 250;
 
 void draw_gradient(Canvas& canvas, int x, int y, const std::string& name, const std::string& first,
                    const std::string& last, const std::array<Colour, 65>& colours)
@@ -208,9 +208,16 @@ Salient_point symbol_of(Salient_shape shape)
   return point;
 }
 
-int draw_symbols(Canvas& canvas, int x, int y, const std::vector<Salient_point>& points)
+// A line of the legend; returns where the next one begins.
+int draw_kind(Canvas& canvas, int x, int y, const Salient_point& symbol, const std::string& name)
 {
-  constexpr int line = 32;
+  draw_symbol(canvas, x, y, symbol, Salient_style::FITS);
+  canvas.write(x + 42, y + 6, name, font_size, ink);
+  return y + 32;
+}
+
+int draw_kinds(Canvas& canvas, int x, int y, const std::vector<Salient_point>& points)
+{
   const struct
   {
     Salient_shape shape;
@@ -223,11 +230,9 @@ int draw_symbols(Canvas& canvas, int x, int y, const std::vector<Salient_point>&
     const auto number = std::count_if(points.begin(), points.end(), [&](const Salient_point& p) {
       return p.shape == kind.shape || (kind.shape == Salient_shape::TUBE && is_tube(p));
     });
-    if(number == 0)
-      continue;
-    draw_symbol(canvas, x, y, symbol_of(kind.shape), Salient_style::FITS);
-    canvas.write(x + 42, y + 6, counted(std::size_t(number), kind.one, kind.many), font_size, ink);
-    y += line;
+    if(number > 0)
+      y = draw_kind(canvas, x, y, symbol_of(kind.shape),
+                    counted(std::size_t(number), kind.one, kind.many));
   }
   return y;
 }
@@ -243,14 +248,18 @@ void draw_legend(Canvas& canvas, int x, int y, const std::vector<Salient_point>&
     by_intensity[i] = dimmed(ink, std::sqrt(place));
   }
   if(style == Salient_style::FITS)
-    y = draw_symbols(canvas, x, y, points) + 8;
+    y = draw_kinds(canvas, x, y, points);
+  else
+    y = draw_kind(canvas, x, y, symbol_of(Salient_shape::OTHER),
+                  counted(points.size(), "point", "points") + ", half the scale");
+  y += 8;
   if(!points.empty()) {
     draw_gradient(canvas, x, y, "sphericity", "0", "1", by_sphericity);
     draw_gradient(canvas, x, y + 52, "intensity", "0", to_text(largest, 3), by_intensity);
     y += 112;
   }
   if(has_holes) {
-    canvas.fill(x, y + 6, 26, 2, hole_colour);
+    canvas.fill(x, y + 6, 26, 2, line_colour);
     canvas.write(x + 42, y, "hole", font_size, ink);
   }
 }
@@ -273,9 +282,11 @@ void write_salient_picture(const std::string& file, const Picture_source& surfac
   for(std::size_t i = 0; i < frames.size(); ++i) {
     const Camera camera(views[i], box, oversampling * scale);
     Canvas page(camera.width(), camera.height(), ground);
-    draw_body(page, camera, surface, holes);
+    const Rasterizer body = draw_body(page, camera, surface);
+    draw_lines(page, camera, body, holes, true);
     for(const std::size_t p : order_of_drawing(points))
       draw_point(page, camera, points[p], paint_of(points[p], largest, style), style);
+    draw_lines(page, camera, body, holes, false);
     canvas.draw_halved(page, frames[i].x, frames[i].y);
     draw_axes(canvas, views[i], frames[i]);
   }

@@ -143,8 +143,8 @@ void report_points(const Salient_points& found, const Salient_options& options, 
                  "; lower --threshold, or look at the other side with --side");
     return;
   }
-  console.row("found",
-              counted(found.points.size(), "point", "points") + ": " + counts_to_text(counts));
+  console.row("found", counted(found.points.size(), "point", "points") +
+                           (options.is_fitted() ? ": " + counts_to_text(counts) : ""));
   show_strongest(found, options, console);
 }
 

@@ -129,7 +129,7 @@ class Salient(Test):
 
     def test_tube(self):
         # Open: a hole at each end, with as many edges as the tube has sides.
-        rows = self.rows(self.mesh("tube.off", tube(0.5, 6, (1, 2, 3))))
+        rows = self.rows(self.mesh("tube.off", tube(0.5, 6, (1, 2, 3), rings=120)))
         self.assertEqual(len(rows), 1)
         row = rows[0]
         self.assertEqual(row["type"], "tube")
@@ -139,8 +139,10 @@ class Salient(Test):
         self.assertLess(abs(float(row["z"]) - 3), 3)
         self.assertGreater(float(row["length"]), 4)
         self.assertLess(float(row["length"]), 6.5)
-        # On the axis of a tube the largest value over R is 0.55, at 85 % of its radius.
-        self.assertAlmostEqual(float(row["intensity"]), 0.55, delta=0.06)
+        # On the axis of a tube the largest value over R is 0.55, at R = 0.851 of its radius, from a strip
+        # that is 0.4 long. If it were summed over the vertices, one ring more or less would be an eighth.
+        self.assertAlmostEqual(float(row["intensity"]), 0.55, delta=0.55 / 8)
+        self.assertAlmostEqual(float(row["scale"]), 0.851 * 0.5, delta=0.1 * 0.5)
 
     def test_both_in_one_mesh(self):
         mesh = self.mesh("both.off", union(icosphere(3, 1, (5, 0, 0)), tube(0.4, 5)))

@@ -7,12 +7,12 @@
 # The parts of the command mapt that are libraries.
 
 if(NOT TARGET mapt_input)
-  message(STATUS "The tests of reading meshes are left out: the command mapt is not built")
+  message(STATUS "The tests of its parts are left out: the command mapt is not built")
   return()
 endif()
 
-add_executable(test_tool tool/test_input.cpp)
+add_executable(test_tool tool/test_drawing.cpp tool/test_input.cpp)
 target_compile_definitions(test_tool PRIVATE MAPT_TEST_DATA="${CMAKE_CURRENT_SOURCE_DIR}/data")
-target_link_libraries(test_tool PRIVATE mapt_input GTest::gtest_main)
+target_link_libraries(test_tool PRIVATE mapt_input mapt_results GTest::gtest_main)
 area_projection_transform_add_warnings(test_tool)
 gtest_discover_tests(test_tool DISCOVERY_TIMEOUT 60 PROPERTIES TIMEOUT 300)

@@ -69,8 +69,8 @@ inline Hues hues_of(Salient_shape shape)
 /// \endcond
 
 /// \ingroup PkgAreaProjectionTransformIO
-/// \brief returns a colour (red, green, blue) for the salient point of that rank in a list: warm for spheres, cool for tubes
-/// and cones, violet for others.
+/// \brief returns a colour (red, green, blue) for the salient point of that rank in a list: warm for spheres,
+/// cool for tubes and cones, violet for others.
 ///
 /// Hues are steps of the golden angle within their range, so that neighbours in the list differ clearly.
 inline std::array<std::uint8_t, 3> colour_of_salient_point(Salient_shape shape, std::size_t rank)

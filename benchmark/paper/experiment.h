@@ -25,6 +25,7 @@ struct Options
 {
   std::uint64_t seed = 1;
   int voxels = 64; ///< along the longest side
+  int scenes = 20; ///< of round objects, for each damage
   bool is_quick = false;
   std::vector<std::string> meshes; ///< files, instead of the bundled ones
   std::string retrieval;           ///< the folder of a labelled set; empty: there is none

@@ -44,6 +44,9 @@ void robustness_curves(const Options& options, Benchmarks::Report& report);
 /// how far it pays to smooth.
 void smoothing_ratios(const Options& options, Benchmarks::Report& report);
 
+/// spheres and tubes found in scenes, beside what Efficient RANSAC finds there.
+void salient_comparison(const Options& options, Benchmarks::Report& report);
+
 } // namespace Paper
 
 #endif // AREA_PROJECTION_PAPER_FIGURES_H

@@ -4,7 +4,8 @@
 //
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-// The experiments of the paper: what remains of the maps of damaged surfaces, and its salient points.
+// The experiments of the paper: what remains of the maps of damaged surfaces, its salient points, and which round
+// objects are found in scenes whose truth is known.
 // scripts/paper-figures runs them and draws the curves.
 
 #include "figures.h"
@@ -33,7 +34,8 @@ constexpr Figure figures[] = {{"1", Paper::figure_1},
                               {"11", Paper::figure_11},
                               {"poses", Paper::pose_stability},
                               {"curves", Paper::robustness_curves},
-                              {"ratios", Paper::smoothing_ratios}};
+                              {"ratios", Paper::smoothing_ratios},
+                              {"salient", Paper::salient_comparison}};
 
 struct Arguments
 {
@@ -55,6 +57,9 @@ void declare(CLI::App& app, Arguments& arguments)
   app.add_option("--voxels", options.voxels, "along the longest side of a mesh")
       ->capture_default_str()
       ->check(CLI::Range(8, 1024));
+  app.add_option("--scenes", options.scenes, "of round objects, for each damage")
+      ->capture_default_str()
+      ->check(CLI::Range(1, 10000));
   app.add_option("--json", arguments.json, "the file to write the numbers to");
   app.add_option("--pictures", options.pictures, "the folder to write pictures of maps to");
   app.add_option("--retrieval", options.retrieval,

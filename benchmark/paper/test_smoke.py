@@ -49,7 +49,7 @@ class Smoke(unittest.TestCase):
     def test_every_figure_has_rows(self):
         groups = [group["name"] for group in self.data["groups"]]
         self.assertEqual(groups, ["figure 1", "figure 4", "figure 7", "figure 8", "figure 9", "figure 10",
-                                  "figure 11", "curves", "ratios"])
+                                  "figure 11", "curves", "ratios", "salient"])
         self.assertEqual({row["group"] for row in self.data["rows"]}, set(groups))
         for name in groups:
             self.assertIn(f"\n{name}, ", self.output)
@@ -110,6 +110,14 @@ class Smoke(unittest.TestCase):
             self.assertEqual(row["measures"]["within 2 voxels"], 1)
         for row in self.rows("figure 11", "points found again", damage="holes"):
             self.assertGreater(row["measures"]["within R/2"], 0.5)
+
+    def test_round_objects_are_found(self):
+        for row in self.rows("salient", "easy, clean"):
+            self.assertEqual(row["measures"]["recall"], 1, row)
+            self.assertLess(row["measures"]["radius error"], 0.01, row)
+        for row in self.rows("salient", "no spheres"):
+            if row["name"] == "area projection":
+                self.assertEqual(row["measures"]["spheres"], 0, row)
 
     def test_pictures_are_written(self):
         pictures = list((self.folder / "pictures").iterdir())

@@ -1,0 +1,139 @@
+// Copyright (c) 2026 The Area Projection Transform authors.
+//
+// This file is part of the Area_projection_transform package.
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#include "figures.h"
+#include "ransac_peer.h"
+#include "salient_conditions.h"
+#include "salient_detectors.h"
+
+#include <CGAL/Area_projection_transform/salient_points.h>
+#include <CGAL/Area_projection_transform/surfels_from_mesh.h>
+
+#include <algorithm>
+#include <cmath>
+
+namespace Paper {
+
+namespace {
+
+const std::string group = "salient";
+
+/// finds round objects, told what happens to the scene or not.
+struct Method
+{
+  const char* name;
+  std::vector<Detection> (*detect)(const Soup& soup, const Scene_damage& damage);
+};
+
+const Method methods[] = {
+    {"area projection",
+     [](const Soup& soup, const Scene_damage&) {
+       return detections_of(AP::salient_points<CGAL::Parallel_if_available_tag>(
+           AP::surface_from_triangle_soup(soup.points, soup.triangles)));
+     }},
+    {"RANSAC",
+     [](const Soup& soup, const Scene_damage& damage) {
+       return detect_by_ransac(soup, ransac_parameters(damage), false, 1);
+     }},
+    {"RANSAC, refit",
+     [](const Soup& soup, const Scene_damage& damage) {
+       return detect_by_ransac(soup, ransac_parameters(damage), true, 1);
+     }},
+};
+
+Measures measures_of(const Score& score)
+{
+  const double scenes = double(score.scenes);
+  Measures measures{{"recall", score.recall()},
+                    {"precision", score.precision()},
+                    {"duplicates", double(score.duplicates)},
+                    {"radius error", quantile(score.radius_errors, 0.5)},
+                    {"p90 radius error", quantile(score.radius_errors, 0.9)},
+                    {"position error", quantile(score.position_errors, 0.5)},
+                    {"p90 position error", quantile(score.position_errors, 0.9)},
+                    {"truth in interval", score.coverage()},
+                    {"slope off by", quantile(score.slope_errors, 0.5)},
+                    {"curvature error", quantile(score.curvature_errors, 0.5)},
+                    {"ms", 1000 * score.seconds / scenes},
+                    {"cpu ms", 1000 * score.cpu_seconds / scenes}};
+  measures.erase(std::remove_if(measures.begin(), measures.end(),
+                                [](const auto& m) { return !std::isfinite(m.second); }),
+                 measures.end());
+  return measures;
+}
+
+void compare_methods(const Condition& condition, const Options& options, Benchmarks::Report& report)
+{
+  const std::size_t number = options.pick<std::size_t>(1, std::size_t(options.scenes));
+  const std::vector<Scene> scenes = scenes_of(condition, options.seed, number);
+  std::vector<Benchmarks::Row> rows;
+  for(const Method& method : methods) {
+    const Score score =
+        evaluate(scenes, [&](const Soup& soup) { return method.detect(soup, condition.damage); });
+    rows.push_back(row(group, condition.name, method.name,
+                       {{"scenes", score.scenes}, {"objects", score.truths}}, measures_of(score)));
+  }
+  publish(rows, report);
+}
+
+Measures count_shapes(const std::vector<Detection>& detections)
+{
+  const auto number = [&](Found_shape shape) {
+    return double(std::count_if(detections.begin(), detections.end(),
+                                [&](const Detection& d) { return d.shape == shape; }));
+  };
+  return {{"spheres", number(Found_shape::SPHERE)},
+          {"tubes", number(Found_shape::TUBE) + number(Found_shape::CONE)},
+          {"others", number(Found_shape::OTHER)}};
+}
+
+/// what is found where there is no sphere, and but for the torus no tube: means over some seeds.
+void show_distractors(double noise, const Options& options, Benchmarks::Report& report)
+{
+  const std::uint64_t repetitions = options.pick(1, 3);
+  Scene_damage damage;
+  damage.noise = noise;
+  std::vector<Benchmarks::Row> rows;
+  const std::size_t number = distractors(options.seed).size();
+  for(std::size_t i = 0; i < number; ++i)
+    for(const Method& method : methods) {
+      std::vector<Measures> all;
+      std::string name;
+      for(std::uint64_t seed = options.seed; seed < options.seed + repetitions; ++seed) {
+        const Distractor distractor = distractors(seed)[i];
+        name = distractor.name;
+        const Soup soup = damaged(distractor.scene, damage, seed).soup;
+        all.push_back(count_shapes(method.detect(soup, damage)));
+      }
+      rows.push_back(
+          row(group, "no spheres", method.name, {{"object", name}, {"noise", noise}}, mean(all)));
+    }
+  publish(rows, report);
+}
+
+} // namespace
+
+void salient_comparison(const Options& options, Benchmarks::Report& report)
+{
+  report.add_group(group, "Spheres and tubes in scenes of 3 to 10 objects whose truth is known: "
+                          "easy ones, a third of which are "
+                          "cut in half, and hard ones with coarse, bent and conical tubes and "
+                          "ellipsoids. Beside them what CGAL's "
+                          "Efficient RANSAC finds (planes, spheres and cylinders, from the "
+                          "vertices and their normals), with "
+                          "the best parameters that were found for each damage, which it is told; "
+                          "and the same with its shapes "
+                          "fitted again, as ours are. Errors of radius and position are medians, "
+                          "relative to the radius; "
+                          "the transform runs on all cores, RANSAC has one thread only.");
+  for(const Condition& condition : salient_conditions())
+    if(!options.is_quick || condition.name == "easy, clean" || condition.name == "hard, noise 20 %")
+      compare_methods(condition, options, report);
+  for(double noise : options.pick<std::vector<double>>({0.2}, {0, 0.2, 0.5, 1}))
+    show_distractors(noise, options, report);
+}
+
+} // namespace Paper

@@ -14,6 +14,9 @@
 
 #include <algorithm>
 #include <cmath>
+#include <numeric>
+#include <string>
+#include <vector>
 
 namespace Paper {
 
@@ -44,6 +47,15 @@ const Method methods[] = {
      }},
 };
 
+/// the fraction of the truths of a shape that were called cones, of those that were found.
+double called_cones(const Score& score, Truth_shape shape)
+{
+  const auto& found = score.confusion[std::size_t(shape)];
+  const auto missed = found.end() - 1;
+  return double(found[std::size_t(Found_shape::CONE)]) /
+         double(std::accumulate(found.begin(), missed, std::size_t(0)));
+}
+
 Measures measures_of(const Score& score)
 {
   const double scenes = double(score.scenes);
@@ -55,6 +67,8 @@ Measures measures_of(const Score& score)
                     {"position error", quantile(score.position_errors, 0.5)},
                     {"p90 position error", quantile(score.position_errors, 0.9)},
                     {"truth in interval", score.coverage()},
+                    {"cones as cones", called_cones(score, Truth_shape::CONE)},
+                    {"tubes as cones", called_cones(score, Truth_shape::TUBE)},
                     {"slope off by", quantile(score.slope_errors, 0.5)},
                     {"curvature error", quantile(score.curvature_errors, 0.5)},
                     {"ms", 1000 * score.seconds / scenes},

@@ -23,14 +23,17 @@ struct Ransac_parameters
   double normal_threshold = 0.9;
   double min_points = 0.005; ///< in units of the number of points
   double probability = 0.01;
+  bool has_all_shapes = false; ///< cones and tori as well as spheres and cylinders
 };
 
-/// \brief the parameters that suit a damage best, of those that were tried (see the figure "salient").
+/// \brief the parameters that suit noise best, of those that were tried on other scenes of the same kind.
 ///
-/// It is told what happens to the surface, which other methods have to find out.
-Ransac_parameters ransac_parameters(const Scene_damage& damage);
+/// It is told how much noise there is, which other methods have to find out.
+/// \param noise as in `Scene_damage`
+/// \param is_hard whether there are bent and tapering tubes
+Ransac_parameters ransac_parameters(double noise, bool is_hard);
 
-/// \brief finds spheres and cylinders by CGAL's Efficient RANSAC.
+/// \brief finds spheres and tubes by CGAL's Efficient RANSAC.
 ///
 /// It gets the vertices that faces use, with the mean normals of their faces, weighted by area. Planes are
 /// among the shapes, so that the caps of tubes do not become large cylinders, and left out of the answer, as are

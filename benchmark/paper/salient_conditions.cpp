@@ -61,9 +61,9 @@ std::vector<Condition> salient_conditions()
   };
   std::vector<Condition> conditions;
   for(const Named_damage& d : damages)
-    conditions.push_back({std::string("easy, ") + d.name, easy_scene, d.damage});
+    conditions.push_back({std::string("easy, ") + d.name, false, d.damage});
   for(const Named_damage& d : damages)
-    conditions.push_back({std::string("hard, ") + d.name, hard_scene, d.damage});
+    conditions.push_back({std::string("hard, ") + d.name, true, d.damage});
   return conditions;
 }
 
@@ -72,7 +72,8 @@ std::vector<Scene> scenes_of(const Condition& condition, std::uint64_t first_see
 {
   std::vector<Scene> scenes;
   for(std::uint64_t seed = first_seed; seed < first_seed + number; ++seed)
-    scenes.push_back(damaged(condition.scene(seed), condition.damage, seed));
+    scenes.push_back(
+        damaged(condition.is_hard ? hard_scene(seed) : easy_scene(seed), condition.damage, seed));
   return scenes;
 }
 

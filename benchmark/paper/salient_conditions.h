@@ -20,7 +20,7 @@ namespace Paper {
 struct Condition
 {
   std::string name;
-  Scene (*scene)(std::uint64_t seed);
+  bool is_hard;
   Scene_damage damage;
 };
 

@@ -106,6 +106,11 @@ inline Salient_point salient_point(const Feature_surface& surface, const Cell_li
     point.shape = Salient_shape::SPHERE;
     return point;
   }
+  if(!shape.is_tube()) {
+    const Eigen::Vector3d longest = shape.ellipsoid().axes().directions.col(2);
+    point.axis = Vector_3(longest.x(), longest.y(), longest.z());
+    return point;
+  }
   const Tube& tube = shape.tube();
   point.shape = tube.slope != 0 ? Salient_shape::CONE : Salient_shape::TUBE;
   point.axis = Vector_3(tube.axis.x(), tube.axis.y(), tube.axis.z());
@@ -124,10 +129,10 @@ inline void thin_tubes(std::vector<Found_shape>& shapes, double spacing)
   });
   for(const Found_shape& found : shapes) {
     const auto is_near = [&](const Found_shape& other) {
-      return !other.shape.is_sphere() &&
+      return other.shape.is_tube() &&
              follows(other.shape, found.shape, spacing * other.shape.radius());
     };
-    if(found.shape.is_sphere() || std::none_of(kept.begin(), kept.end(), is_near))
+    if(!found.shape.is_tube() || std::none_of(kept.begin(), kept.end(), is_near))
       kept.push_back(found);
   }
   shapes = std::move(kept);

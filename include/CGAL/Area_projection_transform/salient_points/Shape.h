@@ -7,6 +7,7 @@
 #ifndef CGAL_AREA_PROJECTION_TRANSFORM_SALIENT_POINTS_SHAPE_H
 #define CGAL_AREA_PROJECTION_TRANSFORM_SALIENT_POINTS_SHAPE_H
 
+#include <CGAL/Area_projection_transform/fitting/Ellipsoid.h>
 #include <CGAL/Area_projection_transform/fitting/Sphere.h>
 #include <CGAL/Area_projection_transform/fitting/Tube.h>
 
@@ -20,7 +21,7 @@ namespace CGAL {
 namespace Area_projection {
 namespace internal {
 
-/// a sphere, or a piece of a tube.
+/// a sphere, a piece of a tube, or an ellipsoid.
 struct Shape
 {
   using Vector = Eigen::Vector3d;
@@ -30,51 +31,63 @@ struct Shape
   {
     double residual; ///< the distance from the shape, positive outside
     Vector normal;   ///< of the shape, nearest to the point
-    double along;    ///< of a tube: from its centre, along the axis
+    double along;    ///< of a tube: from its centre, along the axis; otherwise 0
   };
 
-  std::variant<Sphere, Tube> model;
+  std::variant<Sphere, Tube, Ellipsoid> model;
   double first = 0, last = 0; ///< the piece of the tube
   double deviation = 0;       ///< of the points from the shape
   /// the part of the deviation that neighbours share: that is not noise, but another shape.
   double misfit = 0;
 
   bool is_sphere() const { return std::holds_alternative<Sphere>(model); }
+  bool is_tube() const { return std::holds_alternative<Tube>(model); }
   const Sphere& sphere() const { return std::get<Sphere>(model); }
   const Tube& tube() const { return std::get<Tube>(model); }
+  const Ellipsoid& ellipsoid() const { return std::get<Ellipsoid>(model); }
 
-  double radius() const { return is_sphere() ? sphere().radius : tube().radius; }
-  double length() const { return last - first; }
-
-  /// the radius where it is largest.
-  double largest_radius() const
+  double radius() const
   {
-    return is_sphere() ? sphere().radius
-                       : std::max(tube().radius_at(first), tube().radius_at(last));
+    return is_sphere() ? sphere().radius : is_tube() ? tube().radius : ellipsoid().radius();
   }
+
+  double length() const { return last - first; }
 
   Vector center() const
   {
-    return is_sphere() ? sphere().center : tube().point_at(0.5 * (first + last));
+    return is_sphere() ? sphere().center
+           : is_tube() ? tube().point_at(0.5 * (first + last))
+                       : ellipsoid().center;
   }
 
   /// of a ball around `center()` that holds the shape.
-  double reach() const { return is_sphere() ? sphere().radius : 0.5 * length() + largest_radius(); }
+  double reach() const
+  {
+    if(is_sphere())
+      return sphere().radius;
+    if(is_tube())
+      return 0.5 * length() + std::max(tube().radius_at(first), tube().radius_at(last));
+    return ellipsoid().axes().lengths[2];
+  }
 
   Place place(const Vector& p) const
   {
+    if(is_tube()) {
+      const Tube::Place at = tube().place(p);
+      return {tube().residual(at), tube().normal_at(at), at.along};
+    }
     if(is_sphere()) {
       const Vector u = p - sphere().center;
       const double distance = u.norm();
       return {distance - sphere().radius, distance > 0 ? Vector(u / distance) : Vector::Zero(), 0};
     }
-    const Tube::Place at = tube().place(p);
-    return {tube().residual(at), tube().normal_at(at), at.along};
+    const Ellipsoid::Place at = ellipsoid().place(p);
+    return {at.residual, at.normal, 0};
   }
 
   bool is_along(double along, double margin) const
   {
-    return is_sphere() || (along >= first - margin && along <= last + margin);
+    return !is_tube() || (along >= first - margin && along <= last + margin);
   }
 };
 

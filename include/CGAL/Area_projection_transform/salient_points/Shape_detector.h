@@ -125,7 +125,9 @@ private:
   std::optional<Found_shape> fit(const Candidate& candidate) const;
   std::optional<Found_shape> fit_sphere(const Vote_level& level, const Voters& voters) const;
   std::optional<Found_shape> fit_tube(const Vote_level& level, const Voters& voters) const;
-  std::optional<Found_shape> followed(Shape tube, double score) const;
+  std::optional<Found_shape> followed(Shape tube) const;
+  std::optional<Found_shape> fit_ellipsoid(const Free_clusters& around,
+                                           const Eigen::Vector3d& x) const;
   bool is_better(const Found_shape& a, const Found_shape& b) const;
   bool is_still_free(const Found_shape& found) const;
   void claim(const Shape& shape);
@@ -195,7 +197,10 @@ std::optional<Found_shape> Shape_detector<ConcurrencyTag>::fit(const Candidate& 
   constexpr double flat = 0.08;                           // the second spread of planes
   constexpr double least_sphere = 0.03, most_tube = 0.25; // the first spread
   const Free_clusters clusters = clusters_of(candidate.level);
-  const auto is_sharp = [](const Shape& shape) { return shape.deviation < 0.02 * shape.radius(); };
+  constexpr double least_ellipsoid = 0.08;
+  const auto has_misfit = [](const Shape& shape) {
+    return shape.misfit > std::max(0.01 * shape.radius(), 0.5 * shape.deviation);
+  };
   const auto is_hopeless = [&](const Voters& voters) {
     return voters.clusters.size() < least_voters || voters.claimed_fraction > 0.5 ||
            voters.spread[1] < flat;
@@ -206,21 +211,46 @@ std::optional<Found_shape> Shape_detector<ConcurrencyTag>::fit(const Candidate& 
   const Voters voters = find_voters(clusters, x);
   if(is_hopeless(voters))
     return std::nullopt;
-  std::optional<Found_shape> sphere, tube;
+  std::optional<Found_shape> best;
+  const auto take_better = [&](std::optional<Found_shape> other) {
+    if(other && (!best || is_better(*other, *best)))
+      best = std::move(other);
+  };
   if(voters.spread[0] > least_sphere)
-    sphere = fit_sphere(*clusters.level, voters);
-  if(voters.spread[0] < most_tube || (sphere && !is_sharp(sphere->shape)))
-    tube = fit_tube(*clusters.level, voters);
-  if(tube && (!sphere || is_better(*tube, *sphere)))
-    return followed(tube->shape, candidate.score);
-  if(sphere)
-    sphere->score = candidate.score;
-  return sphere;
+    best = fit_sphere(*clusters.level, voters);
+  if(voters.spread[0] < most_tube || (best && has_misfit(best->shape)))
+    take_better(fit_tube(*clusters.level, voters));
+  if(best && best->shape.is_tube())
+    best = followed(best->shape);
+  if(voters.spread[0] > least_ellipsoid && (!best || has_misfit(best->shape)))
+    take_better(fit_ellipsoid(clusters, x));
+  if(best)
+    best->score = candidate.score;
+  return best;
+}
+
+template <class ConcurrencyTag>
+std::optional<Found_shape>
+Shape_detector<ConcurrencyTag>::fit_ellipsoid(const Free_clusters& around,
+                                              const Eigen::Vector3d& x) const
+{
+  std::optional<Shape> shape = start_ellipsoid(around, x);
+  if(!shape)
+    return std::nullopt;
+  if(!fit_shape(clusters_of(level_of(shape->radius())), *shape, {}))
+    return std::nullopt;
+  const Free_clusters clusters = clusters_of(level_of(shape->radius()));
+  if(!is_close_fit(*shape, m_limits) || !(shape->ellipsoid().axes().lengths[0] > 0))
+    return std::nullopt;
+  const Support support = measure_support(clusters, *shape, support_tolerance(*shape));
+  if(!is_supported(*shape, support, m_limits) || !is_supported_ellipsoid(*shape, support))
+    return std::nullopt;
+  return Found_shape{*shape, support, 0};
 }
 
 /// a tube, as far as it goes.
 template <class ConcurrencyTag>
-std::optional<Found_shape> Shape_detector<ConcurrencyTag>::followed(Shape tube, double score) const
+std::optional<Found_shape> Shape_detector<ConcurrencyTag>::followed(Shape tube) const
 {
   const Free_clusters clusters = clusters_of(level_of(tube.radius()));
   follow_tube(clusters, tube);
@@ -230,7 +260,7 @@ std::optional<Found_shape> Shape_detector<ConcurrencyTag>::followed(Shape tube, 
       measure_support(clusters_of(level_of(tube.radius())), tube, support_tolerance(tube));
   if(!is_supported(tube, support, m_limits))
     return std::nullopt;
-  return Found_shape{tube, support, score};
+  return Found_shape{tube, support, 0};
 }
 
 template <class ConcurrencyTag>
@@ -273,11 +303,11 @@ bool Shape_detector<ConcurrencyTag>::lengthen_known_tube(const Found_shape& piec
                                                          std::vector<Found_shape>& known) const
 {
   constexpr double largest_hole = 3; // in units of the radius
-  if(piece.shape.is_sphere())
+  if(!piece.shape.is_tube())
     return false;
   const double half = 0.5 * piece.shape.length();
   for(Found_shape& other : known) {
-    if(other.shape.is_sphere() ||
+    if(!other.shape.is_tube() ||
        !follows(other.shape, piece.shape, largest_hole * piece.shape.radius()))
       continue;
     Shape longer = other.shape;

@@ -73,6 +73,8 @@ public:
   const Vector& position(std::size_t i) const { return m_positions[i]; }
   /// averaged over the neighbours on the same side of the surface.
   const Vector& normal(std::size_t i) const { return m_normals[i]; }
+  /// of the cluster alone; shorter than a unit vector if its faces point elsewhere.
+  Vector own_normal(std::size_t i) const { return m_area_vectors[i] / m_full_areas[i]; }
   /// of the surface across its averaged normal, not negative.
   double area(std::size_t i) const { return m_areas[i]; }
   Vector projection(std::size_t i) const { return m_positions[i] - m_radius * m_normals[i]; }
@@ -88,6 +90,8 @@ public:
   /// @{
   std::size_t number_of_points() const { return m_points.size(); }
   const Vector& point(std::size_t i) const { return m_points[i]; }
+  /// the length of the edges there.
+  double point_spacing(std::size_t i) const { return m_point_spacings[i]; }
   /// averaged as those of the clusters are.
   const Vector& point_normal(std::size_t i) const { return m_point_normals[i]; }
 
@@ -134,9 +138,10 @@ private:
   double m_radius, m_sigma;
   Vector m_origin = Vector::Zero();
   std::vector<Vector> m_positions, m_area_vectors, m_side_normals, m_normals;
-  std::vector<double> m_areas;
+  std::vector<double> m_areas, m_full_areas;
   Cell_list m_neighbours;
   std::vector<Vector> m_points, m_point_normals;
+  std::vector<double> m_point_spacings;
   Cell_list m_point_cells;
 };
 
@@ -184,6 +189,7 @@ inline void Vote_level::average_normals()
       });
   for(Vector& normal : m_normals)
     normal.normalize();
+  m_full_areas = m_areas;
   for(std::size_t i = 0; i < size(); ++i)
     m_areas[i] = std::max(m_area_vectors[i].dot(m_normals[i]), 0.);
 }
@@ -210,6 +216,7 @@ inline void Vote_level::choose_points(const Feature_surface::Points& points)
     if(cells.insert(key) != m_points.size())
       continue;
     m_points.push_back(points.positions[v]);
+    m_point_spacings.push_back(points.spacings[v]);
     m_point_normals.push_back(normal_near(points.positions[v], points.normals[v]));
   }
 }

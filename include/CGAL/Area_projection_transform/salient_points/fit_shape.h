@@ -55,22 +55,30 @@ struct Fit_limits
   static constexpr int most_rounds = 10;
 };
 
-/// finds the points that a shape may be fitted to: those in a band around it whose normals agree.
+/// \brief calls `function(i, place)` for the points that a shape may be fitted to: those in a band around it whose
+/// normals agree.
+template <class Function>
+void for_each_fitting_point(const Free_clusters& clusters, const Shape& shape, double band,
+                            Function&& function)
+{
+  const Vote_level& level = *clusters.level;
+  level.for_each_point_in_ball(shape.center(), shape.reach() + band, [&](std::size_t i, double) {
+    if(!clusters.is_point_free(i))
+      return;
+    const Shape::Place place = shape.place(level.point(i));
+    if(std::abs(place.residual) < band && shape.is_along(place.along, 0) &&
+       level.point_normal(i).dot(place.normal) > Fit_limits::least_cosine)
+      function(i, place);
+  });
+}
+
 inline void collect_points(const Free_clusters& clusters, const Shape& shape, double band,
                            std::vector<Eigen::Vector3d>& points, std::vector<double>& residuals)
 {
   points.clear();
   residuals.clear();
-  const Vote_level& level = *clusters.level;
-  level.for_each_point_in_ball(shape.center(), shape.reach() + band, [&](std::size_t i, double) {
-    if(!clusters.is_point_free(i))
-      return;
-    const Eigen::Vector3d& p = level.point(i);
-    const Shape::Place place = shape.place(p);
-    if(!(std::abs(place.residual) < band) || !shape.is_along(place.along, 0) ||
-       !(level.point_normal(i).dot(place.normal) > Fit_limits::least_cosine))
-      return;
-    points.push_back(p);
+  for_each_fitting_point(clusters, shape, band, [&](std::size_t i, const Shape::Place& place) {
+    points.push_back(clusters.level->point(i));
     residuals.push_back(place.residual);
   });
 }
@@ -106,6 +114,13 @@ inline double move_shape(Shape& shape, const std::vector<Eigen::Vector3d>& point
         equations.step(Sphere::Equations::Row::Constant(1e-9)); // lone caps leave a direction open
     sphere.move(step);
     return step.norm() / sphere.radius;
+  }
+  if(!shape.is_tube()) {
+    Ellipsoid& ellipsoid = std::get<Ellipsoid>(shape.model);
+    const Ellipsoid::Equations::Row step =
+        ellipsoid.equations(points, deviation).step(Ellipsoid::Equations::Row::Constant(1e-6));
+    ellipsoid.move(step);
+    return step.norm() / ellipsoid.radius();
   }
   Tube& tube = std::get<Tube>(shape.model);
   Tube::Equations::Row ridge;

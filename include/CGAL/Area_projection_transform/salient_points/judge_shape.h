@@ -22,7 +22,10 @@ struct Shape_limits
 {
   double deviation = 0.25; ///< of the points
   double misfit = 0.08;    ///< of the points, noise apart
-  double least_turning = 0.65, most_turning = 1.3;
+  double least_turning = 0.76, most_turning = 1.3;
+  /// the angle between the normals of faces and those of the shape, in radians: of coarse faces, and what noise adds,
+  /// which turns faces by so much for a deviation of an edge.
+  double normal_error = 0.32, normal_error_of_noise = 1.9;
   double least_observed = 0.08; ///< of the area of the shape
   double least_explained = 0.5; ///< of the points around
   double most_within = 0.3;     ///< of surface inside, per surface on the shape
@@ -49,10 +52,22 @@ inline bool is_supported(const Shape& shape, const Support& support, const Shape
   return support.clusters >= limits.least_clusters &&
          support.area > limits.least_observed * full_area(shape) &&
          support.area_within < limits.most_within * support.area &&
+         support.normal_error < limits.normal_error + limits.normal_error_of_noise *
+                                                          shape.deviation / support.point_spacing &&
          support.explained > limits.least_explained && support.turning > limits.least_turning &&
          support.turning < limits.most_turning &&
-         (shape.is_sphere() ? support.spread[0] > limits.sphere_spread
-                            : support.spread[1] > limits.tube_spread);
+         (shape.is_tube() ? support.spread[1] > limits.tube_spread
+                          : support.spread[0] > limits.sphere_spread);
+}
+
+/// \brief an ellipsoid, which bends to much, must explain more of the surface, and better.
+inline bool is_supported_ellipsoid(const Shape& shape, const Support& support)
+{
+  constexpr double least_observed = 0.3, least_explained = 0.7, most_misfit = 0.05;
+  constexpr double least_spread = 0.1;
+  return observed_fraction(shape, support) > least_observed &&
+         support.explained > least_explained && support.spread[0] > least_spread &&
+         shape.misfit < most_misfit * shape.radius();
 }
 
 } // namespace internal

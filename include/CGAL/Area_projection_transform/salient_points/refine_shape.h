@@ -8,6 +8,7 @@
 #define CGAL_AREA_PROJECTION_TRANSFORM_SALIENT_POINTS_REFINE_SHAPE_H
 
 #include <CGAL/Area_projection_transform/internal/Cell_list.h>
+#include <CGAL/Area_projection_transform/salient_points/Salient_point.h>
 #include <CGAL/Area_projection_transform/salient_points/fit_shape.h>
 
 #include <Eigen/Core>
@@ -78,9 +79,9 @@ inline Radius_estimate refine_shape(const Feature_surface::Points& points, const
 {
   constexpr int most_rounds = 12;
   const Tube::Freedom freedom =
-      shape.is_sphere()
-          ? Tube::Freedom{}
-          : Tube::Freedom{shape.tube().slope != 0, shape.tube().curvature.squaredNorm() > 0};
+      shape.is_tube()
+          ? Tube::Freedom{shape.tube().slope != 0, shape.tube().curvature.squaredNorm() > 0}
+          : Tube::Freedom{};
   std::vector<Eigen::Vector3d> chosen;
   for(int round = 0; round < most_rounds; ++round) {
     const double radius = shape.radius();
@@ -96,6 +97,8 @@ inline Radius_estimate refine_shape(const Feature_surface::Points& points, const
       break;
   }
   const double r = shape.radius(), s = shape.deviation;
+  if(!shape.is_sphere() && !shape.is_tube())
+    return {r, Salient_point::unknown, Salient_point::unknown};
   double variance = 0, degrees = 1, correction = mean_square(shape, chosen) / r;
   if(shape.is_sphere()) {
     variance = shape.sphere().equations(chosen, s).covariance({0, 1, 2, 3})(3, 3);

@@ -151,6 +151,35 @@ inline std::optional<Shape> start_tube(const Vote_level& level, const Voters& vo
   return shape;
 }
 
+/// the ellipsoid of the points around a place that face away from it.
+inline std::optional<Shape> start_ellipsoid(const Free_clusters& clusters, const Eigen::Vector3d& x)
+{
+  constexpr double reach = 1.7; // in units of the radius of the level
+  constexpr double least_cosine = 0.2, largest_ratio = 3.5;
+  const Vote_level& level = *clusters.level;
+  std::vector<Eigen::Vector3d> points, normals;
+  level.for_each_point_in_ball(x, reach * level.radius(), [&](std::size_t i, double squared) {
+    const Eigen::Vector3d &p = level.point(i), &n = level.point_normal(i);
+    if(clusters.is_point_free(i) && n.dot(p - x) > least_cosine * std::sqrt(squared)) {
+      points.push_back(p);
+      normals.push_back(n);
+    }
+  });
+  if(points.size() < 3 * Fit_limits::least_points)
+    return std::nullopt;
+  const std::optional<Ellipsoid> ellipsoid =
+      ellipsoid_with_normals(points, normals, x, level.radius());
+  if(!ellipsoid)
+    return std::nullopt;
+  const Eigen::Vector3d lengths = ellipsoid->axes().lengths;
+  if(!(lengths[2] < largest_ratio * lengths[0]) || !(lengths[2] < 4 * level.radius()))
+    return std::nullopt;
+  Shape shape;
+  shape.model = *ellipsoid;
+  shape.deviation = 0.1 * ellipsoid->radius();
+  return shape;
+}
+
 } // namespace internal
 } // namespace Area_projection
 } // namespace CGAL

@@ -33,6 +33,10 @@ struct Support
   /// \brief how much the normals turn from place to place, in units of what they turn on the shape: 0 on
   /// planes, however well they touch it, 1 on the shape.
   double turning = 0;
+  /// \brief the angle between the normals of the surface, not averaged, and those of the shape (root mean square,
+  /// in radians): what tells a rounded corner from a sharp one, of which there are few points.
+  double normal_error = 0;
+  double point_spacing = 0; ///< of the points on the shape, their median
   /// the area on the far side of the plane through the centre that has most on the other one.
   double far_area = 0;
   std::size_t clusters = 0;
@@ -47,6 +51,10 @@ inline double full_area(const Shape& shape)
   const double r = shape.radius();
   if(shape.is_sphere())
     return 4 * pi * r * r;
+  if(!shape.is_tube()) { // Thomsen's formula, to 1 %
+    const Eigen::Vector3d a = shape.ellipsoid().axes().lengths.array().pow(1.6075);
+    return 4 * pi * std::pow((a[0] * a[1] + a[0] * a[2] + a[1] * a[2]) / 3, 1 / 1.6075);
+  }
   return 2 * pi * shape.tube().radius_at(0.5 * (shape.first + shape.last)) * shape.length();
 }
 
@@ -66,28 +74,27 @@ constexpr double least_cosine = 0.5;
 struct Member
 {
   std::size_t cluster;
-  Eigen::Vector3d across; // the position, across the axis of a tube
-  Eigen::Vector3d turned; // the normal likewise
+  Eigen::Vector3d model;   // the normal of the shape there
+  Eigen::Vector3d surface; // that of the surface, across the axis of a tube
 };
 
-/// \brief the regression of the normals on the positions, over pairs of near clusters, in the direction in which
-/// it is least.
+/// \brief the regression of the normals of the surface on those of the shape, over pairs of near clusters, in the
+/// direction in which it is least.
 ///
-/// Of a tube there are two directions, of which one has no positions: that does not count.
-inline double turning(const Vote_level& level, const Shape& shape,
-                      const std::vector<Member>& members)
+/// Directions into which the shape does not turn do not count, such as the axis of a tube.
+inline double turning(const Vote_level& level, double radius, const std::vector<Member>& members)
 {
-  const double reach = pair_distance * shape.radius();
+  const double reach = pair_distance * radius;
   Eigen::Matrix3d products = Eigen::Matrix3d::Zero(), squares = Eigen::Matrix3d::Zero();
   for(std::size_t a = 0; a < members.size(); ++a)
     for(std::size_t b = a + 1; b < members.size(); ++b) {
       const std::size_t i = members[a].cluster, j = members[b].cluster;
       if((level.position(i) - level.position(j)).squaredNorm() > reach * reach)
         continue;
-      const Eigen::Vector3d d = members[a].across - members[b].across;
+      const Eigen::Vector3d turn = members[a].model - members[b].model;
       const double weight = std::min(level.area(i), level.area(j));
-      products += weight * (members[a].turned - members[b].turned) * d.transpose();
-      squares += weight * d * d.transpose();
+      products += weight * (members[a].surface - members[b].surface) * turn.transpose();
+      squares += weight * turn * turn.transpose();
     }
   const Eigen::SelfAdjointEigenSolver<Eigen::Matrix3d> eigen(squares);
   double least = std::numeric_limits<double>::max();
@@ -96,23 +103,28 @@ inline double turning(const Vote_level& level, const Shape& shape,
     if(eigen.eigenvalues()[k] > 0.05 * eigen.eigenvalues()[2])
       least = std::min(least, direction.dot(products * direction) / eigen.eigenvalues()[k]);
   }
-  return shape.radius() * least;
+  return least;
 }
 
 } // namespace support
 
-/// the part of the points around a shape, with normals like its own, that lies on it.
-inline double explained_points(const Free_clusters& clusters, const Shape& shape)
+/// \brief measures the part of the points around a shape, with normals like its own, that lies on it; and how
+/// dense they are.
+inline void measure_points(const Free_clusters& clusters, const Shape& shape, Support& support)
 {
   constexpr double around = 0.25; // in units of the radius
   const double tolerance = std::max(4 * shape.deviation, 0.02 * shape.radius());
-  std::vector<Eigen::Vector3d> points;
-  std::vector<double> residuals;
-  collect_points(clusters, shape, std::max(around * shape.radius(), tolerance), points, residuals);
-  const auto explained =
-      std::count_if(residuals.begin(), residuals.end(),
-                    [tolerance](double residual) { return std::abs(residual) < tolerance; });
-  return residuals.empty() ? 0 : double(explained) / double(residuals.size());
+  const double band = std::max(around * shape.radius(), tolerance);
+  const Vote_level& level = *clusters.level;
+  std::vector<double> spacings;
+  std::size_t number = 0;
+  for_each_fitting_point(clusters, shape, band, [&](std::size_t i, const Shape::Place& place) {
+    ++number;
+    if(std::abs(place.residual) < tolerance)
+      spacings.push_back(level.point_spacing(i));
+  });
+  support.explained = number > 0 ? double(spacings.size()) / double(number) : 0;
+  support.point_spacing = median(spacings);
 }
 
 /// measures the support of a shape within `tolerance` of it.
@@ -124,7 +136,6 @@ inline Support measure_support(const Free_clusters& clusters, const Shape& shape
   Eigen::Matrix3d spread = Eigen::Matrix3d::Zero();
   Eigen::Vector3d mean = Eigen::Vector3d::Zero();
   std::vector<support::Member> members;
-  std::vector<Eigen::Vector3d> shape_normals;
   clusters.for_each_near(shape, tolerance, 0, [&](std::size_t i, const Shape::Place& place) {
     const Eigen::Vector3d& n = level.normal(i);
     const double cosine = n.dot(place.normal);
@@ -137,28 +148,29 @@ inline Support measure_support(const Free_clusters& clusters, const Shape& shape
       return;
     const double area = level.area(i) * cosine;
     result.area += area;
+    const double sine = level.own_normal(i).cross(place.normal).squaredNorm();
+    result.normal_error += area * sine / level.own_normal(i).squaredNorm();
     spread += area * place.normal * place.normal.transpose();
     mean += area * place.normal;
     ++result.clusters;
-    Eigen::Vector3d across = level.position(i), turned = n;
-    if(!shape.is_sphere()) {
+    Eigen::Vector3d across = n;
+    if(shape.is_tube()) {
       const Eigen::Vector3d axis = shape.tube().tangent_at(place.along);
-      across = (place.residual + shape.tube().radius_at(place.along)) * place.normal;
-      turned -= turned.dot(axis) * axis;
+      across -= across.dot(axis) * axis;
     }
-    members.push_back({i, across, turned});
-    shape_normals.push_back(place.normal);
+    members.push_back({i, place.normal, across});
   });
   if(!(result.area > 0))
     return result;
   result.spread =
       Eigen::SelfAdjointEigenSolver<Eigen::Matrix3d>(spread / result.area, Eigen::EigenvaluesOnly)
           .eigenvalues();
-  for(std::size_t a = 0; a < members.size(); ++a)
-    if(shape_normals[a].dot(mean) < 0)
-      result.far_area += level.area(members[a].cluster);
-  result.turning = support::turning(level, shape, members);
-  result.explained = explained_points(clusters, shape);
+  for(const support::Member& member : members)
+    if(member.model.dot(mean) < 0)
+      result.far_area += level.area(member.cluster);
+  result.normal_error = std::sqrt(result.normal_error / result.area);
+  result.turning = support::turning(level, radius, members);
+  measure_points(clusters, shape, result);
   return result;
 }
 

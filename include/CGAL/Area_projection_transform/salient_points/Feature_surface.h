@@ -62,6 +62,8 @@ public:
     std::vector<Vector> positions;
     std::vector<Vector> normals;
     std::vector<double> spacings; ///< the mean length of the edges
+    /// the first ones are those of the input; others lie between them, and share their errors.
+    std::size_t number_of_independent = 0;
   };
 
   Feature_surface(const Triangle_surface& surface, Side side);
@@ -143,6 +145,7 @@ inline Feature_surface::Feature_surface(const Triangle_surface& surface, Side si
       sum += normals[joined[v]].normalized();
     m_patches[t].normal = sum.normalized();
   }
+  m_points.number_of_independent = m_points.positions.size();
   add_points_on_creases(surface, joined, sign);
   if(!shortest.empty()) {
     const auto tenth = shortest.begin() + std::ptrdiff_t(shortest.size() / 10);
@@ -166,6 +169,7 @@ inline Feature_surface::Feature_surface(const Surfels& surfels, Side side)
     m_points.spacings.push_back(std::sqrt(area));
     spacings.push_back(std::sqrt(area));
   }
+  m_points.number_of_independent = m_points.positions.size();
   if(!spacings.empty()) {
     const auto tenth = spacings.begin() + std::ptrdiff_t(spacings.size() / 10);
     std::nth_element(spacings.begin(), tenth, spacings.end());

@@ -178,17 +178,21 @@ std::optional<Found_shape> Shape_detector<ConcurrencyTag>::fit_tube(const Vote_l
   return Found_shape{*shape, support, 0};
 }
 
-/// the one that more of the surface lies on, at the precision of the more precise one.
+/// \brief the one that more of the surface lies on, at the precision of the more precise one, which counts as well.
 template <class ConcurrencyTag>
 bool Shape_detector<ConcurrencyTag>::is_better(const Found_shape& a, const Found_shape& b) const
 {
+  constexpr double finest = 0.005; // of the radius: what is more precise than that is no better
   const double tolerance =
       std::max(4 * std::min(a.shape.deviation, b.shape.deviation), 0.03 * a.shape.radius());
-  const auto area = [&](const Found_shape& found) {
+  const auto merit = [&](const Found_shape& found) {
+    const double deviation =
+        std::max(found.shape.deviation / found.shape.radius(), finest) * found.shape.radius();
     return measure_support(clusters_of(level_of(found.shape.radius())), found.shape, tolerance)
-        .area;
+               .area /
+           std::sqrt(deviation);
   };
-  return area(a) > area(b);
+  return merit(a) > merit(b);
 }
 
 template <class ConcurrencyTag>
@@ -216,6 +220,11 @@ std::optional<Found_shape> Shape_detector<ConcurrencyTag>::fit(const Candidate& 
     if(other && (!best || is_better(*other, *best)))
       best = std::move(other);
   };
+  // An ellipsoid bends to noise, too.
+  const auto is_sharper = [&](const Found_shape& ellipsoid) {
+    const Eigen::Vector3d axes = ellipsoid.shape.ellipsoid().axes().lengths;
+    return ellipsoid.shape.deviation < 0.85 * best->shape.deviation && axes[2] > 1.1 * axes[0];
+  };
   if(voters.spread[0] > least_sphere)
     best = fit_sphere(*clusters.level, voters);
   if(voters.spread[0] < most_tube || (best && has_misfit(best->shape)))
@@ -223,7 +232,8 @@ std::optional<Found_shape> Shape_detector<ConcurrencyTag>::fit(const Candidate& 
   if(best && best->shape.is_tube())
     best = followed(best->shape);
   if(voters.spread[0] > least_ellipsoid && (!best || has_misfit(best->shape)))
-    take_better(fit_ellipsoid(clusters, x));
+    if(auto ellipsoid = fit_ellipsoid(clusters, x); ellipsoid && (!best || is_sharper(*ellipsoid)))
+      take_better(std::move(ellipsoid));
   if(best)
     best->score = candidate.score;
   return best;

@@ -26,11 +26,13 @@ struct Shape_limits
   /// the angle between the normals of faces and those of the shape, in radians: of coarse faces, and what noise adds,
   /// which turns faces by so much for a deviation of an edge.
   double normal_error = 0.32, normal_error_of_noise = 1.9;
-  double least_observed = 0.08; ///< of the area of the shape
-  double least_explained = 0.5; ///< of the points around
-  double most_within = 0.3;     ///< of surface inside, per surface on the shape
-  double sphere_spread = 0.06;  ///< the least spread of the normals of a sphere
-  double tube_spread = 0.15;    ///< the second least, of a tube
+  double least_observed = 0.08;    ///< of the area of the shape
+  double observed_for_noise = 1.5; ///< more of it, per deviation
+  double least_explained = 0.5;    ///< of the points around
+  double most_within = 0.3;        ///< of surface inside, per surface on the shape
+  double sphere_spread = 0.06;     ///< the least spread of the normals of a sphere
+  double bend = 0.5;               ///< the radius of a tube over that of its bend
+  double tube_spread = 0.15;       ///< the second least, of a tube
   std::size_t least_clusters = 10;
 };
 
@@ -47,10 +49,18 @@ inline bool is_close_fit(const Shape& shape, const Shape_limits& limits)
          shape.misfit < limits.misfit * shape.radius();
 }
 
+/// whether a tube is hardly a tube.
+inline bool is_too_bent(const Shape& shape, const Shape_limits& limits)
+{
+  return shape.is_tube() && shape.tube().curvature.norm() * shape.radius() > limits.bend;
+}
+
 inline bool is_supported(const Shape& shape, const Support& support, const Shape_limits& limits)
 {
-  return support.clusters >= limits.least_clusters &&
-         support.area > limits.least_observed * full_area(shape) &&
+  const double least_observed =
+      limits.least_observed + limits.observed_for_noise * shape.deviation / shape.radius();
+  return support.clusters >= limits.least_clusters && !is_too_bent(shape, limits) &&
+         support.area > least_observed * full_area(shape) &&
          support.area_within < limits.most_within * support.area &&
          support.normal_error < limits.normal_error + limits.normal_error_of_noise *
                                                           shape.deviation / support.point_spacing &&

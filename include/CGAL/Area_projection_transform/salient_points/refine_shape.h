@@ -29,23 +29,49 @@ struct Radius_estimate
   double low, high; ///< hold it with a probability of 95 %
 };
 
-/// \brief all points near a shape that their normals do not forbid.
-///
-/// Not those at the very ends of tubes: noise would take points of flat caps for points of the tube.
+/// which points of a surface a shape may be fitted to: those of the input, or those between them, too.
+struct Fit_range
+{
+  std::size_t end; ///< the first that is not
+  double margin;   ///< how far from the ends of a tube they must be; negative: how far beyond
+};
+
+/// all points of a range near a shape that their normals do not forbid.
 inline std::vector<Eigen::Vector3d> points_on(const Feature_surface::Points& points,
                                               const Cell_list& cells, const Shape& shape,
-                                              double band)
+                                              double band, const Fit_range& range)
 {
   constexpr double least_cosine = 0.4; // normals of single points are noisy
-  const double margin = std::min(2 * shape.deviation, 0.2 * shape.length());
   std::vector<Eigen::Vector3d> found;
-  cells.for_each_in_ball(shape.center(), shape.reach() + band, [&](std::size_t v, double) {
+  const double reach = shape.reach() + band + std::max(-range.margin, 0.);
+  cells.for_each_in_ball(shape.center(), reach, [&](std::size_t v, double) {
     const Shape::Place place = shape.place(points.positions[v]);
-    if(std::abs(place.residual) < band && shape.is_along(place.along, -margin) &&
+    if(v < range.end && std::abs(place.residual) < band &&
+       shape.is_along(place.along, -range.margin) &&
        points.normals[v].dot(place.normal) > least_cosine)
       found.push_back(points.positions[v]);
   });
   return found;
+}
+
+/// \brief the points that tell most of a shape.
+///
+/// Not those at the very ends of tubes: noise would take points of flat caps for points of the tube. Where there are
+/// no others, the ends; and only then points between those of the input, which share the errors of these.
+inline std::vector<Eigen::Vector3d> best_points_on(const Feature_surface::Points& points,
+                                                   const Cell_list& cells, const Shape& shape,
+                                                   double band)
+{
+  constexpr std::size_t enough = 20;
+  const double inner = std::min(2 * shape.deviation, 0.2 * shape.length());
+  const double outer = -3 * shape.deviation - 0.02 * shape.radius();
+  for(const Fit_range& range : {Fit_range{points.number_of_independent, inner},
+                                Fit_range{points.number_of_independent, outer}}) {
+    std::vector<Eigen::Vector3d> found = points_on(points, cells, shape, band, range);
+    if(found.size() >= enough)
+      return found;
+  }
+  return points_on(points, cells, shape, band, {points.positions.size(), inner});
 }
 
 /// \brief the standard deviations from the mean that hold 95 % of Student's distribution, to 1 % from five
@@ -85,8 +111,8 @@ inline Radius_estimate refine_shape(const Feature_surface::Points& points, const
   std::vector<Eigen::Vector3d> chosen;
   for(int round = 0; round < most_rounds; ++round) {
     const double radius = shape.radius();
-    chosen = points_on(points, cells, shape,
-                       std::clamp(6 * shape.deviation, 1e-5 * radius, 0.25 * radius));
+    chosen = best_points_on(points, cells, shape,
+                            std::clamp(6 * shape.deviation, 1e-5 * radius, 0.25 * radius));
     if(chosen.size() < Fit_limits::least_points)
       break;
     std::vector<double> residuals;

@@ -154,7 +154,7 @@ inline std::optional<Shape> start_tube(const Vote_level& level, const Voters& vo
 /// the ellipsoid of the points around a place that face away from it.
 inline std::optional<Shape> start_ellipsoid(const Free_clusters& clusters, const Eigen::Vector3d& x)
 {
-  constexpr double reach = 1.7; // in units of the radius of the level
+  constexpr double reach = 2; // in units of the radius of the level
   constexpr double least_cosine = 0.2, largest_ratio = 3.5;
   const Vote_level& level = *clusters.level;
   std::vector<Eigen::Vector3d> points, normals;

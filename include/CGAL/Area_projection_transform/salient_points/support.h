@@ -148,8 +148,8 @@ inline Support measure_support(const Free_clusters& clusters, const Shape& shape
       return;
     const double area = level.area(i) * cosine;
     result.area += area;
-    const double sine = level.own_normal(i).cross(place.normal).squaredNorm();
-    result.normal_error += area * sine / level.own_normal(i).squaredNorm();
+    // Where faces point to all sides, or are turned over, the sum of them says little: it is short.
+    result.normal_error += area * level.own_normal(i).cross(place.normal).squaredNorm();
     spread += area * place.normal * place.normal.transpose();
     mean += area * place.normal;
     ++result.clusters;

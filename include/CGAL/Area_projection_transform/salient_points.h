@@ -15,11 +15,15 @@
 #include <CGAL/Area_projection_transform/salient_points/assign_voters.h>
 #include <CGAL/Area_projection_transform/salient_points/best_scale.h>
 #include <CGAL/Area_projection_transform/salient_points/refine_shape.h>
+#include <CGAL/Area_projection_transform/scales.h>
+#include <CGAL/Area_projection_transform/surfels_from_mesh.h>
 
 #include <algorithm>
 #include <cmath>
 #include <cstdint>
 #include <optional>
+#include <stdexcept>
+#include <string>
 #include <utility>
 #include <vector>
 
@@ -33,7 +37,8 @@ struct Salient_point_options
   /// the side of the surface on which centres are sought: the outside for bores and pits.
   Side side = Side::INSIDE;
   /// the range of the radii of spheres and tubes, in the units of the surface.
-  /// Default: `default_salient_radii()`.
+  /// Default: from about the length of an edge, or less where faces are long and thin, to half of the shortest side
+  /// of the bounding box.
   std::optional<double> smallest_radius, largest_radius;
   /// the least intensity of what is returned: a number, or one of `salient_thresholds`. By default what a shape
   /// fits to is returned, however little of it there is.
@@ -60,6 +65,24 @@ struct salient_thresholds
 
 /// \cond SKIP_IN_MANUAL
 namespace internal {
+
+inline void check(const Salient_point_options& options)
+{
+  if(options.smallest_radius)
+    check_positive(*options.smallest_radius, "smallest_radius");
+  if(options.largest_radius)
+    check_positive(*options.largest_radius, "largest_radius");
+  if(options.smallest_radius && options.largest_radius &&
+     *options.smallest_radius > *options.largest_radius)
+    throw std::invalid_argument("smallest_radius is " + std::to_string(*options.smallest_radius) +
+                                ": larger than largest_radius, " +
+                                std::to_string(*options.largest_radius));
+  if(options.tube_spacing)
+    check_positive(*options.tube_spacing, "tube_spacing");
+  if(!(options.threshold >= 0))
+    throw std::invalid_argument("threshold is " + std::to_string(options.threshold) +
+                                ": must not be negative");
+}
 
 /// the range of radii of which something can be seen.
 inline std::pair<double, double> salient_radii(const Feature_surface& surface,
@@ -167,22 +190,62 @@ std::vector<Salient_point> salient_points_of(const Feature_surface& surface,
 /// \endcond
 
 /// \ingroup PkgAreaProjectionTransformFeatures
-/// \brief returns the centres of spheres and tubes, the strongest first.
+/// \brief returns the centres of spheres, tubes, cones and ellipsoids that a surface is made of, or parts of them,
+/// the strongest first.
+///
+/// Each place at which the surface meets, moved along its normals by one of many radii, is a candidate, the
+/// best first (the maxima of the map, paper, section 6.1). What counts is whether a shape fits to the vertices
+/// around: then its radius, its axis and an interval for the radius come from the fit, since the radius of the
+/// map is a third too small for spheres; and its surface is taken out of what is left for the others. Tubes are
+/// followed along their axis, as cylinders, cones or bent tubes.
+///
+/// Half of the faces may be missing, at random or as holes, faces may be turned over, and vertices displaced.
+/// What was measured, and what defeats it, is told in the user manual. Triangles without area are ignored; the
+/// surface need not be closed, connected or manifold.
+///
+/// \tparam ConcurrencyTag `CGAL::Sequential_tag`, `CGAL::Parallel_tag` or
+/// `CGAL::Parallel_if_available_tag`; the result does not depend on it, to the last bit
+/// \param surface triangles, facing outward; their vertices lie on what the mesh stands for
+/// \param options the choices
+/// \throw std::invalid_argument if a radius or the spacing of tubes is not positive, the radii do not ascend, or the
+/// threshold is negative or not a number
+///
+/// Complexity: linear in the number of faces for each radius whose clusters are not much larger than the faces, and
+/// in the number of candidates, of which there are some hundreds to thousands. Memory: about 300 bytes for each face.
 template <class ConcurrencyTag = CGAL::Sequential_tag>
 std::vector<Salient_point> salient_points(const Triangle_surface& surface,
                                           const Salient_point_options& options = {})
 {
+  internal::check(options);
   return internal::salient_points_of<ConcurrencyTag>(
       internal::Feature_surface(surface, options.side), surface.sources, options);
 }
 
-/// the same for points with normals.
+/// \ingroup PkgAreaProjectionTransformFeatures
+/// \brief the same for points with normals, which lie on the surface, and the areas that they stand for.
 template <class ConcurrencyTag = CGAL::Sequential_tag>
 std::vector<Salient_point> salient_points(const Surfels& points,
                                           const Salient_point_options& options = {})
 {
+  internal::check(options);
   return internal::salient_points_of<ConcurrencyTag>(
       internal::Feature_surface(points, options.side), points.sources, options);
+}
+
+/// \ingroup PkgAreaProjectionTransformFeatures
+/// \brief the same for a mesh.
+/// \tparam TriangleMesh a model of `FaceListGraph`
+/// \param mesh the mesh, facing outward; open, holed, in several parts, as it is
+/// \param options the choices
+/// \param np the named parameters of `surface_from_mesh()`
+/// \throw std::invalid_argument also as `surface_from_mesh()` does
+template <class ConcurrencyTag = CGAL::Sequential_tag, class TriangleMesh,
+          class NamedParameters = CGAL::parameters::Default_named_parameters>
+std::vector<Salient_point>
+salient_points(const TriangleMesh& mesh, const Salient_point_options& options = {},
+               const NamedParameters& np = CGAL::parameters::default_values())
+{
+  return salient_points<ConcurrencyTag>(surface_from_mesh(mesh, np), options);
 }
 
 } // namespace Area_projection

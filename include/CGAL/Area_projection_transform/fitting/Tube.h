@@ -39,6 +39,7 @@ struct Tube
     double along;    ///< the length of the axis from the centre to the nearest point
     double distance; ///< from that point
     Vector radial;   ///< the unit vector from there
+    Vector tangent;  ///< the direction of the axis there
   };
 
   Place place(const Vector& p) const
@@ -49,7 +50,7 @@ struct Tube
     if(!(k * std::abs(alpha) > 1e-9) && !(k * radius > 1e-9)) {
       const Vector across = u - alpha * axis;
       const double distance = across.norm();
-      return {alpha, distance, distance > 0 ? Vector(across / distance) : Vector::Zero()};
+      return {alpha, distance, distance > 0 ? Vector(across / distance) : Vector::Zero(), axis};
     }
     // In the plane of the bend, without the difference of two large radii where it is nearly straight.
     const Vector inward = curvature / k, normal = axis.cross(inward);
@@ -57,11 +58,12 @@ struct Tube
     const double x = k * alpha, y = 1 - k * beta;
     const double s = std::sqrt(x * x + y * y);
     const double offset = (2 * beta - k * (alpha * alpha + beta * beta)) / (1 + s);
-    const Vector toward = s > 0 ? Vector((y * inward - x * axis) / s) : inward;
-    const Vector across = offset * toward + gamma * normal;
+    const double sine = s > 0 ? x / s : 0, cosine = s > 0 ? y / s : 1;
+    const Vector across = offset * (cosine * inward - sine * axis) + gamma * normal;
     const double distance = across.norm();
     return {std::atan2(x, y) / k, distance,
-            distance > 0 ? Vector(across / distance) : Vector::Zero()};
+            distance > 0 ? Vector(across / distance) : Vector::Zero(),
+            cosine * axis + sine * inward};
   }
 
   double radius_at(double along) const { return radius + slope * along; }
@@ -76,7 +78,7 @@ struct Tube
   /// the direction in which a normal points there.
   Vector normal_at(const Place& place) const
   {
-    return (place.radial - slope * tangent_at(place.along)).normalized();
+    return (place.radial - slope * place.tangent) / std::sqrt(1 + slope * slope);
   }
 
   Vector tangent_at(double along) const

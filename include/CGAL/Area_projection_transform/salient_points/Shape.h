@@ -32,6 +32,7 @@ struct Shape
     double residual; ///< the distance from the shape, positive outside
     Vector normal;   ///< of the shape, nearest to the point
     double along;    ///< of a tube: from its centre, along the axis; otherwise 0
+    Vector axis;     ///< of a tube: its direction there; otherwise null
   };
 
   std::variant<Sphere, Tube, Ellipsoid> model;
@@ -74,15 +75,16 @@ struct Shape
   {
     if(is_tube()) {
       const Tube::Place at = tube().place(p);
-      return {tube().residual(at), tube().normal_at(at), at.along};
+      return {tube().residual(at), tube().normal_at(at), at.along, at.tangent};
     }
     if(is_sphere()) {
       const Vector u = p - sphere().center;
       const double distance = u.norm();
-      return {distance - sphere().radius, distance > 0 ? Vector(u / distance) : Vector::Zero(), 0};
+      return {distance - sphere().radius, distance > 0 ? Vector(u / distance) : Vector::Zero(), 0,
+              Vector::Zero()};
     }
     const Ellipsoid::Place at = ellipsoid().place(p);
-    return {at.residual, at.normal, 0};
+    return {at.residual, at.normal, 0, Vector::Zero()};
   }
 
   bool is_along(double along, double margin) const

@@ -21,7 +21,8 @@ namespace internal {
 struct Shape_limits
 {
   double deviation = 0.25; ///< of the points
-  double misfit = 0.08;    ///< of the points, noise apart
+  /// of the points, noise apart: of spheres, which ellipsoids are not; of tubes; and of those that are round.
+  double misfit_of_sphere = 0.06, misfit = 0.08, misfit_of_round_tube = 0.13;
   double least_turning = 0.76, most_turning = 1.3;
   /// the angle between the normals of faces and those of the shape, in radians: of coarse faces, and what noise adds,
   /// which turns faces by so much for a deviation of an edge.
@@ -45,8 +46,17 @@ inline double support_tolerance(const Shape& shape)
 /// whether points are as near to a shape as they should be.
 inline bool is_close_fit(const Shape& shape, const Shape_limits& limits)
 {
+  const double misfit = shape.is_tube() ? limits.misfit_of_round_tube : limits.misfit_of_sphere;
   return shape.deviation < limits.deviation * shape.radius() &&
-         shape.misfit < limits.misfit * shape.radius();
+         shape.misfit < misfit * shape.radius();
+}
+
+/// \brief whether the misfit of a tube is forgiven: limbs are no cylinders, but round, and all around.
+inline bool is_round_enough(const Shape& shape, const Support& support, const Shape_limits& limits)
+{
+  constexpr double least_observed = 0.6, least_turning = 0.84;
+  return shape.misfit < limits.misfit * shape.radius() ||
+         (observed_fraction(shape, support) > least_observed && support.turning > least_turning);
 }
 
 /// whether a tube is hardly a tube.
@@ -60,6 +70,7 @@ inline bool is_supported(const Shape& shape, const Support& support, const Shape
   const double least_observed =
       limits.least_observed + limits.observed_for_noise * shape.deviation / shape.radius();
   return support.clusters >= limits.least_clusters && !is_too_bent(shape, limits) &&
+         is_round_enough(shape, support, limits) &&
          support.area > least_observed * full_area(shape) &&
          support.area_within < limits.most_within * support.area &&
          support.normal_error < limits.normal_error + limits.normal_error_of_noise *

@@ -153,12 +153,7 @@ inline Support measure_support(const Free_clusters& clusters, const Shape& shape
     spread += area * place.normal * place.normal.transpose();
     mean += area * place.normal;
     ++result.clusters;
-    Eigen::Vector3d across = n;
-    if(shape.is_tube()) {
-      const Eigen::Vector3d axis = shape.tube().tangent_at(place.along);
-      across -= across.dot(axis) * axis;
-    }
-    members.push_back({i, place.normal, across});
+    members.push_back({i, place.normal, n - n.dot(place.axis) * place.axis});
   });
   if(!(result.area > 0))
     return result;

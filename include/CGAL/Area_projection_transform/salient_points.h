@@ -84,33 +84,88 @@ inline void check(const Salient_point_options& options)
                                 ": must not be negative");
 }
 
-/// the range of radii of which something can be seen.
-inline std::pair<double, double> salient_radii(const Feature_surface& surface,
-                                               const Salient_point_options& options)
+/// \brief the smallest radius for which a surface is cut into no more than some number of patches, and for which its
+/// clusters can be numbered.
+inline double least_radius(const Feature_surface& surface, double most_patches)
 {
-  // So many patches are enough to see what the faces show, however long some of them are.
-  const double most_patches = 2 * double(surface.patches().size()) + 2e4;
-  const double finest = std::sqrt(surface.area() / most_patches) / Vote_level::patch_spacing;
-  const double smallest = options.smallest_radius.value_or(std::max(surface.resolution(), finest));
-  const double largest =
-      options.largest_radius.value_or(std::max(0.55 * surface.extent().minCoeff(), smallest));
-  return {smallest, largest};
+  constexpr double most_cells = 1 << 18; // along an axis
+  const double finest = surface.extent().maxCoeff() / (Vote_level::cluster_size * most_cells);
+  double radius =
+      std::max(std::sqrt(surface.area() / most_patches) / Vote_level::patch_spacing, finest);
+  // Needles take more pieces than their area tells.
+  while(std::isnormal(radius) &&
+        surface.number_of_patches(Vote_level::patch_spacing * radius) > most_patches)
+    radius *= 1.3;
+  return radius;
 }
 
-inline std::vector<double> radii_of_levels(double smallest, double largest)
+/// the smallest radius, that of the user if there is one.
+inline double smallest_salient_radius(const Feature_surface& surface,
+                                      const Salient_point_options& options)
+{
+  // So many patches are enough to see what the faces show, however long some of them are.
+  const double number = double(surface.patches().size());
+  if(!options.smallest_radius)
+    return std::max(surface.resolution(), least_radius(surface, 2 * number + 2e4));
+  constexpr double most_patches = 4e6;
+  const double least = least_radius(surface, std::max(most_patches, 2 * number));
+  if(*options.smallest_radius < least)
+    throw std::invalid_argument("smallest_radius is " + std::to_string(*options.smallest_radius) +
+                                ": the surface would be cut into too many pieces; must be at "
+                                "least " +
+                                std::to_string(least));
+  return *options.smallest_radius;
+}
+
+/// the radii of the levels: from the smallest of which something can be seen to one that is too large.
+inline std::vector<double> salient_radii(const Feature_surface& surface,
+                                         const Salient_point_options& options)
 {
   constexpr double ratio = 1.3;
   std::vector<double> radii;
-  for(double r = smallest; r < ratio * largest; r *= ratio)
-    radii.push_back(r);
+  if(surface.patches().empty())
+    return radii;
+  const double smallest = smallest_salient_radius(surface, options);
+  const double beyond = std::max(2 * surface.extent().norm(), smallest);
+  const double largest = std::min(
+      options.largest_radius.value_or(std::max(0.55 * surface.extent().minCoeff(), smallest)),
+      beyond);
+  if(std::isnormal(smallest) && std::isfinite(largest))
+    for(double r = smallest; r < ratio * largest; r *= ratio)
+      radii.push_back(r);
   return radii;
 }
 
-inline Salient_point salient_point(const Feature_surface& surface, const Cell_list& cells,
-                                   Found_shape& found)
+/// whether there is still a shape after it was fitted to all points, near the one that was found.
+inline bool is_valid(const Shape& shape, const Radius_estimate& radius, double radius_before)
+{
+  constexpr double most_change = 1.3, widest = 0.25;
+  const double r = radius.radius;
+  if(!(r > radius_before / most_change) || !(r < radius_before * most_change))
+    return false;
+  if(shape.is_sphere() || shape.is_tube())
+    return radius.high - radius.low < 2 * widest * r;
+  const Eigen::Vector3d axes = shape.ellipsoid().axes().lengths;
+  return axes[0] > 0 && axes[2] < 4 * axes[0];
+}
+
+/// whether a point is what the user asked for.
+inline bool is_wanted(const Salient_point& point, const Salient_point_options& options)
+{
+  constexpr double tolerance = 0.01;
+  return !point.voters.empty() && point.intensity >= options.threshold &&
+         point.radius >= (1 - tolerance) * options.smallest_radius.value_or(0) &&
+         !(options.largest_radius && point.radius > (1 + tolerance) * *options.largest_radius);
+}
+
+inline std::optional<Salient_point> salient_point(const Feature_surface& surface,
+                                                  const Cell_list& cells, Found_shape& found)
 {
   Shape& shape = found.shape;
+  const double radius_before = shape.radius();
   const Radius_estimate radius = refine_shape(surface.points(), cells, shape);
+  if(!is_valid(shape, radius, radius_before))
+    return std::nullopt;
   Salient_point point;
   const Eigen::Vector3d x = shape.center();
   point.position = Point_3(x.x(), x.y(), x.z());
@@ -166,20 +221,25 @@ std::vector<Salient_point> salient_points_of(const Feature_surface& surface,
                                              const std::vector<std::uint32_t>& sources,
                                              const Salient_point_options& options)
 {
-  const auto [smallest, largest] = salient_radii(surface, options);
   std::vector<Found_shape> found =
-      Shape_detector<ConcurrencyTag>(surface, radii_of_levels(smallest, largest)).find();
+      Shape_detector<ConcurrencyTag>(surface, salient_radii(surface, options)).find();
   if(options.tube_spacing)
     thin_tubes(found, *options.tube_spacing);
   const Cell_list cells(surface.points().positions, 3 * surface.resolution());
-  std::vector<Salient_point> points(found.size());
+  std::vector<std::optional<Salient_point>> refined(found.size());
   for_each_index<ConcurrencyTag>(
-      found.size(), [&](std::size_t i) { points[i] = salient_point(surface, cells, found[i]); });
-  assign_voters(surface, sources, found, points);
-  points.erase(
-      std::remove_if(points.begin(), points.end(),
-                     [&](const Salient_point& p) { return p.intensity < options.threshold; }),
-      points.end());
+      found.size(), [&](std::size_t i) { refined[i] = salient_point(surface, cells, found[i]); });
+  std::vector<Salient_point> points;
+  std::vector<Found_shape> shapes;
+  for(std::size_t i = 0; i < found.size(); ++i)
+    if(refined[i]) {
+      points.push_back(*refined[i]);
+      shapes.push_back(found[i]);
+    }
+  assign_voters(surface, sources, shapes, points);
+  points.erase(std::remove_if(points.begin(), points.end(),
+                              [&](const Salient_point& p) { return !is_wanted(p, options); }),
+               points.end());
   std::stable_sort(
       points.begin(), points.end(),
       [](const Salient_point& a, const Salient_point& b) { return a.intensity > b.intensity; });

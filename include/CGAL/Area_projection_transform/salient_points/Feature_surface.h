@@ -83,6 +83,23 @@ public:
   void for_each_patch_near(const Vector& place, double distance, double spacing,
                            Function&& function) const;
 
+  /// \brief about how many pieces `for_each_patch()` makes.
+  ///
+  /// A needle that is halved along its longest edge, again and again, leaves three pieces for each half of its length.
+  double number_of_patches(double spacing) const
+  {
+    constexpr double needle = 1.585; // log2 of 3
+    double number = double(m_patches.size());
+    for(std::size_t t = 0; t < m_corners.size(); ++t) {
+      const double lengths = std::min(longest_edge(t) / spacing, double(most_pieces_along));
+      if(lengths > 1)
+        number +=
+            std::min(m_patches[t].area / (spacing * spacing) + lengths, std::pow(lengths, 2.)) +
+            0.1 * std::pow(lengths, needle);
+    }
+    return number;
+  }
+
   /// the length below which there is nothing to see: few edges are shorter.
   double resolution() const { return m_resolution; }
   double area() const { return m_area; }
@@ -90,8 +107,18 @@ public:
   const Vector& extent() const { return m_extent; }
 
 private:
+  /// pieces are no shorter than that part of a face, however long it is.
+  static constexpr int most_pieces_along = 500;
+
+  double longest_edge(std::size_t t) const
+  {
+    const Vector &a = m_corners[t][0], &b = m_corners[t][1], &c = m_corners[t][2];
+    return std::sqrt(
+        std::max({(b - c).squaredNorm(), (c - a).squaredNorm(), (a - b).squaredNorm()}));
+  }
+
   template <class Function>
-  void cut_patch(std::size_t index, double largest_variance, Function& function) const;
+  void cut_patch(std::size_t index, double variance, Function& function) const;
   void add_points_on_creases(const Triangle_surface& surface,
                              const std::vector<std::uint32_t>& joined, double sign);
   void finish();
@@ -249,7 +276,7 @@ inline void Feature_surface::finish()
 
 /// hands on a patch in pieces, if it is a triangle that varies more than that.
 template <class Function>
-void Feature_surface::cut_patch(std::size_t t, double largest_variance, Function& function) const
+void Feature_surface::cut_patch(std::size_t t, double variance, Function& function) const
 {
   const Patch& patch = m_patches[t];
   if(m_corners.empty()) {
@@ -259,7 +286,8 @@ void Feature_surface::cut_patch(std::size_t t, double largest_variance, Function
   const Vector &a = m_corners[t][0], &b = m_corners[t][1], &c = m_corners[t][2];
   const std::array<double, 3> opposite{(b - c).squaredNorm(), (c - a).squaredNorm(),
                                        (a - b).squaredNorm()};
-  if((opposite[0] + opposite[1] + opposite[2]) / 36 <= largest_variance) {
+  const double largest = std::max(variance, largest_variance(longest_edge(t) / most_pieces_along));
+  if((opposite[0] + opposite[1] + opposite[2]) / 36 <= largest) {
     function(patch);
     return;
   }
@@ -268,7 +296,7 @@ void Feature_surface::cut_patch(std::size_t t, double largest_variance, Function
     function(Patch{w[0] * a + w[1] * b + w[2] * c, piece.fraction * patch.area_vector, patch.normal,
                    piece.fraction * patch.area});
   };
-  for_each_piece({{{{1, 0, 0}, {0, 1, 0}, {0, 0, 1}}}, opposite, 1}, largest_variance, sample);
+  for_each_piece({{{{1, 0, 0}, {0, 1, 0}, {0, 0, 1}}}, opposite, 1}, largest, sample);
 }
 
 template <class Function>

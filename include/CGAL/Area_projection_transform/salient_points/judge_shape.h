@@ -59,6 +59,17 @@ inline bool is_round_enough(const Shape& shape, const Support& support, const Sh
          (observed_fraction(shape, support) > least_observed && support.turning > least_turning);
 }
 
+/// the largest angle between normals; noise counts where there is any, which turns faces out of a common plane.
+inline double largest_normal_error(const Shape& shape, const Support& support,
+                                   const Shape_limits& limits)
+{
+  constexpr double most_flat = 0.1;
+  return support.flat_fraction > most_flat
+             ? limits.normal_error
+             : limits.normal_error +
+                   limits.normal_error_of_noise * shape.deviation / support.point_spacing;
+}
+
 /// whether a tube is hardly a tube.
 inline bool is_too_bent(const Shape& shape, const Shape_limits& limits)
 {
@@ -73,8 +84,7 @@ inline bool is_supported(const Shape& shape, const Support& support, const Shape
          is_round_enough(shape, support, limits) &&
          support.area > least_observed * full_area(shape) &&
          support.area_within < limits.most_within * support.area &&
-         support.normal_error < limits.normal_error + limits.normal_error_of_noise *
-                                                          shape.deviation / support.point_spacing &&
+         support.normal_error < largest_normal_error(shape, support, limits) &&
          support.explained > limits.least_explained && support.turning > limits.least_turning &&
          support.turning < limits.most_turning &&
          (shape.is_tube() ? support.spread[1] > limits.tube_spread

@@ -78,7 +78,7 @@ inline std::vector<Eigen::Vector3d> best_points_on(const Feature_surface::Points
 /// degrees of freedom on.
 inline double student_quantile(double degrees_of_freedom)
 {
-  return 1.96 + 2.4 / std::max(degrees_of_freedom - 0.6, 1.);
+  return 1.96 + 2.4 / std::max(degrees_of_freedom - 1, 1.);
 }
 
 /// the mean square of the residuals that are no outliers.
@@ -104,10 +104,10 @@ inline Radius_estimate refine_shape(const Feature_surface::Points& points, const
                                     Shape& shape)
 {
   constexpr int most_rounds = 12;
-  const Tube::Freedom freedom =
-      shape.is_tube()
-          ? Tube::Freedom{shape.tube().slope != 0, shape.tube().curvature.squaredNorm() > 0}
-          : Tube::Freedom{};
+  constexpr std::size_t spare = 8; // points more than parameters
+  Tube::Freedom freedom;
+  if(shape.is_tube())
+    freedom = {shape.tube().slope != 0, shape.tube().curvature.squaredNorm() > 0};
   std::vector<Eigen::Vector3d> chosen;
   for(int round = 0; round < most_rounds; ++round) {
     const double radius = shape.radius();
@@ -115,6 +115,11 @@ inline Radius_estimate refine_shape(const Feature_surface::Points& points, const
                             std::clamp(6 * shape.deviation, 1e-5 * radius, 0.25 * radius));
     if(chosen.size() < Fit_limits::least_points)
       break;
+    if(shape.is_tube() && chosen.size() < std::size_t(freedom.number()) + spare) {
+      freedom = {};
+      std::get<Tube>(shape.model).slope = 0;
+      std::get<Tube>(shape.model).curvature.setZero();
+    }
     std::vector<double> residuals;
     for(const Eigen::Vector3d& p : chosen)
       residuals.push_back(shape.place(p).residual);

@@ -36,6 +36,8 @@ struct Support
   /// \brief the angle between the normals of the surface, not averaged, and those of the shape (root mean square,
   /// in radians): what tells a rounded corner from a sharp one, of which there are few points.
   double normal_error = 0;
+  /// of the pairs of near clusters between which the shape turns, those that lie in one plane: with noise, none.
+  double flat_fraction = 0;
   double point_spacing = 0; ///< of the points on the shape, their median
   /// the area on the far side of the plane through the centre that has most on the other one.
   double far_area = 0;
@@ -82,9 +84,12 @@ struct Member
 /// direction in which it is least.
 ///
 /// Directions into which the shape does not turn do not count, such as the axis of a tube.
-inline double turning(const Vote_level& level, double radius, const std::vector<Member>& members)
+inline double turning(const Vote_level& level, double radius, const std::vector<Member>& members,
+                      double& flat_fraction)
 {
+  constexpr double flat = 1e-3, turned = 0.1; // differences of normals
   const double reach = pair_distance * radius;
+  double all = 0, flats = 0;
   Eigen::Matrix3d products = Eigen::Matrix3d::Zero(), squares = Eigen::Matrix3d::Zero();
   for(std::size_t a = 0; a < members.size(); ++a)
     for(std::size_t b = a + 1; b < members.size(); ++b) {
@@ -95,7 +100,12 @@ inline double turning(const Vote_level& level, double radius, const std::vector<
       const double weight = std::min(level.area(i), level.area(j));
       products += weight * (members[a].surface - members[b].surface) * turn.transpose();
       squares += weight * turn * turn.transpose();
+      if(turn.squaredNorm() > turned * turned) {
+        all += 1;
+        flats += (level.own_normal(i) - level.own_normal(j)).squaredNorm() < flat * flat ? 1 : 0;
+      }
     }
+  flat_fraction = all > 0 ? flats / all : 0;
   const Eigen::SelfAdjointEigenSolver<Eigen::Matrix3d> eigen(squares);
   double least = std::numeric_limits<double>::max();
   for(int k = 0; k < 3; ++k) {
@@ -164,7 +174,7 @@ inline Support measure_support(const Free_clusters& clusters, const Shape& shape
     if(member.model.dot(mean) < 0)
       result.far_area += level.area(member.cluster);
   result.normal_error = std::sqrt(result.normal_error / result.area);
-  result.turning = support::turning(level, radius, members);
+  result.turning = support::turning(level, radius, members, result.flat_fraction);
   measure_points(clusters, shape, result);
   return result;
 }

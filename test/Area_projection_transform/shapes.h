@@ -168,6 +168,47 @@ Soup without_faces(Soup soup, Predicate is_removed)
   return soup;
 }
 
+/// each point moved by up to `size` in each direction of the axes: with a variance of `size² / 3` in all directions.
+inline Soup displaced(const Soup& soup, double size, std::uint64_t seed)
+{
+  Random random(seed);
+  return moved(soup, [&](const Point_3& p) {
+    const double x = random(-size, size), y = random(-size, size);
+    return p + Vector_3(x, y, random(-size, size));
+  });
+}
+
+/// the triangles `keep(i)` is true for.
+template <class Predicate>
+Soup only_triangles(const Soup& soup, Predicate keep)
+{
+  Soup result{soup.points, {}};
+  for(std::size_t i = 0; i < soup.triangles.size(); ++i)
+    if(keep(i))
+      result.triangles.push_back(soup.triangles[i]);
+  return result;
+}
+
+/// a share of the triangles, drawn at random.
+inline Soup thinned(const Soup& soup, double share, std::uint64_t seed)
+{
+  Random random(seed);
+  return only_triangles(soup, [&](std::size_t) { return random() < share; });
+}
+
+/// each triangle has points of its own.
+inline Soup unmerged(const Soup& soup)
+{
+  Soup result;
+  for(const Triangle& t : soup.triangles) {
+    const std::uint32_t first = std::uint32_t(result.points.size());
+    for(const std::uint32_t v : t)
+      result.points.push_back(soup.points[v]);
+    result.triangles.push_back({first, first + 1, first + 2});
+  }
+  return result;
+}
+
 /// a rotation by the angle `angle` about a unit vector (Rodrigues' formula).
 struct Rotation
 {
@@ -305,6 +346,38 @@ inline Soup torus(double ring_radius, double tube_radius, int n, int m)
     const double r = ring_radius + tube_radius * std::cos(v);
     return Point_3(r * std::cos(u), r * std::sin(u), tube_radius * std::sin(v));
   }));
+}
+
+/// an open piece of a torus about the `z` axis, from the `x` axis on, all points on it.
+inline Soup torus_arc(double ring_radius, double tube_radius, double angle, int n, int m)
+{
+  return welded(lattice_patch(n, m, [&](int i, int j) {
+    const double u = angle * i / n, v = 2 * pi * j / m;
+    const double r = ring_radius + tube_radius * std::cos(v);
+    return Point_3(r * std::cos(u), r * std::sin(u), tube_radius * std::sin(v));
+  }));
+}
+
+/// the box from 0 to `size`, its faces cut into squares of about the side `edge`.
+inline Soup fine_box(const Vector_3& size, double edge)
+{
+  Soup all;
+  for(int axis = 0; axis < 3; ++axis) {
+    const int b = (axis + 1) % 3, c = (axis + 2) % 3;
+    const int n = std::max(1, int(std::lround(size[b] / edge)));
+    const int m = std::max(1, int(std::lround(size[c] / edge)));
+    for(const double height : {0., size[axis]}) {
+      const Soup side = lattice_patch(n, m, [&](int i, int j) {
+        std::array<double, 3> p;
+        p[std::size_t(axis)] = height;
+        p[std::size_t(b)] = size[b] * i / n;
+        p[std::size_t(c)] = size[c] * j / m;
+        return Point_3(p[0], p[1], p[2]);
+      });
+      all = joined(all, height > 0 ? side : flipped(side));
+    }
+  }
+  return welded(all);
 }
 
 /// a square of the given side in the plane of height `z`, facing up, its centre on the `z` axis.

@@ -475,6 +475,16 @@ TEST(Robust_deviation, is_the_standard_deviation_of_normal_residuals)
   EXPECT_DOUBLE_EQ(in::robust_deviation({0, -1, 100}), 1.4826);
 }
 
+TEST(Student_quantile, is_right_to_one_percent_from_five_degrees_of_freedom_on)
+{
+  // of any table of the distribution, at 0.975
+  const std::map<double, double> table = {{5, 2.5706},  {6, 2.4469},  {8, 2.3060},
+                                          {10, 2.2281}, {15, 2.1314}, {20, 2.0860},
+                                          {30, 2.0423}, {60, 2.0003}, {1e9, 1.95996}};
+  for(const auto& [degrees, quantile] : table)
+    EXPECT_NEAR(in::student_quantile(degrees), quantile, 0.01 * quantile) << degrees;
+}
+
 TEST(Cell_index, numbers_cells_in_the_order_in_which_they_come)
 {
   using in::Cell_index;

@@ -353,6 +353,17 @@ TEST(Salient_points, keep_to_the_range_of_radii)
   EXPECT_NEAR(points[0].radius, 0.3, 1e-9);
 }
 
+// A shape that is far too large or too small is not found by way of those radii that are near it.
+TEST(Salient_points, have_radii_of_the_range)
+{
+  Salient_point_options options;
+  options.largest_radius = 0.6;
+  EXPECT_TRUE(found_in(icosphere(3), options).empty());
+  options.largest_radius.reset();
+  options.smallest_radius = 1.5;
+  EXPECT_TRUE(found_in(icosphere(3), options).empty());
+}
+
 TEST(Salient_points, refuse_choices_that_make_no_sense)
 {
   const auto complaint_of = [](auto change) {

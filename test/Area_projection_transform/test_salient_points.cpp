@@ -223,6 +223,14 @@ TEST(Salient_tubes, may_be_half_a_tube)
   EXPECT_NEAR(points[0].observed_fraction, 0.5, 0.1);
 }
 
+// A box around half a tube is half as high as the whole one: the radius is its shortest side.
+TEST(Salient_tubes, may_be_half_a_tube_of_which_nothing_is_known)
+{
+  const auto points = found_in(half_a_tube());
+  ASSERT_EQ(points.size(), 1u);
+  expect_tube(points[0], 0.4 / std::cos(pi / 32));
+}
+
 // Facets that run from one end to the other, as engineers draw them: the vertices are at the ends.
 TEST(Salient_tubes, may_be_made_of_long_facets)
 {
@@ -399,6 +407,12 @@ TEST(Salient_points, are_not_found_in_what_is_flat)
   EXPECT_TRUE(found_in(shapes::box(Point_3(0, 0, 0), Point_3(1, 2, 3))).empty());
   EXPECT_TRUE(found_in(shapes::plane_patch(2, 0, 30)).empty());
   EXPECT_TRUE(found_in(shapes::slab(2, 0.3)).empty());
+}
+
+// The corners and edges of few squares are as near to a sphere or a tube as noise would be; but there is no noise.
+TEST(Salient_points, are_not_found_in_what_is_flat_and_coarse)
+{
+  expect_nothing_in_boxes({0.5, 0.3, 0.25, 0.2});
 }
 
 } // namespace

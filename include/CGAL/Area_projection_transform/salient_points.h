@@ -37,8 +37,8 @@ struct Salient_point_options
   /// the side of the surface on which centres are sought: the outside for bores and pits.
   Side side = Side::INSIDE;
   /// the range of the radii of spheres and tubes, in the units of the surface.
-  /// Default: from about the length of an edge, or less where faces are long and thin, to half of the shortest side
-  /// of the bounding box.
+  /// Default: from about the length of an edge, or less where faces are long and thin, to half of the middle
+  /// one of the sides of the bounding box.
   std::optional<double> smallest_radius, largest_radius;
   /// the least intensity of what is returned: a number, or one of `salient_thresholds`. By default what a shape
   /// fits to is returned, however little of it there is.
@@ -117,6 +117,15 @@ inline double smallest_salient_radius(const Feature_surface& surface,
   return *options.smallest_radius;
 }
 
+/// of the three sides of the bounding box the one in the middle: halves of balls and tubes are two radii wide in two
+/// directions.
+inline double middle_extent(const Feature_surface& surface)
+{
+  Eigen::Vector3d sides = surface.extent();
+  std::sort(sides.data(), sides.data() + 3);
+  return sides[1];
+}
+
 /// the radii of the levels: from the smallest of which something can be seen to one that is too large.
 inline std::vector<double> salient_radii(const Feature_surface& surface,
                                          const Salient_point_options& options)
@@ -128,8 +137,7 @@ inline std::vector<double> salient_radii(const Feature_surface& surface,
   const double smallest = smallest_salient_radius(surface, options);
   const double beyond = std::max(2 * surface.extent().norm(), smallest);
   const double largest = std::min(
-      options.largest_radius.value_or(std::max(0.55 * surface.extent().minCoeff(), smallest)),
-      beyond);
+      options.largest_radius.value_or(std::max(0.55 * middle_extent(surface), smallest)), beyond);
   if(std::isnormal(smallest) && std::isfinite(largest))
     for(double r = smallest; r < ratio * largest; r *= ratio)
       radii.push_back(r);

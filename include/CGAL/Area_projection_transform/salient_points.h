@@ -170,10 +170,15 @@ inline std::optional<Salient_point> salient_point(const Feature_surface& surface
                                                   const Cell_list& cells, Found_shape& found)
 {
   Shape& shape = found.shape;
-  const double radius_before = shape.radius();
-  const Radius_estimate radius = refine_shape(surface.points(), cells, shape);
-  if(!is_valid(shape, radius, radius_before))
-    return std::nullopt;
+  const Shape before = shape;
+  Radius_estimate radius = refine_shape(surface.points(), cells, shape);
+  if(!is_valid(shape, radius, before.radius())) {
+    if(before.is_sphere() || before.is_tube())
+      return std::nullopt;
+    // Ellipsoids bend to what is beside them, too, such as a neck; no interval is lost with the refinement.
+    shape = before;
+    radius.radius = before.radius();
+  }
   Salient_point point;
   const Eigen::Vector3d x = shape.center();
   point.position = Point_3(x.x(), x.y(), x.z());

@@ -93,6 +93,43 @@ struct Shape
   }
 };
 
+/// \brief a ball, or a straight tube with a round end beyond its ends, that holds all points within some distance of a
+/// shape: what is not in it need not be placed.
+class Shape_bound
+{
+public:
+  /// \param beyond how far the piece of a tube is lengthened at each end
+  Shape_bound(const Shape& shape, double distance, double beyond = 0)
+      : m_center(shape.center()), m_reach(shape.reach() + distance + beyond), m_across(m_reach)
+  {
+    if(!shape.is_tube())
+      return;
+    const Tube& tube = shape.tube();
+    const double half = 0.5 * shape.length() + beyond;
+    const double k = tube.curvature.norm();
+    const double sagitta = k * half < 2 ? 0.5 * k * half * half : 2 / k;
+    m_axis = tube.tangent_at(0.5 * (shape.first + shape.last));
+    m_across = std::min(
+        std::max(tube.radius_at(shape.first - beyond), tube.radius_at(shape.last + beyond)) +
+            distance * std::sqrt(1 + tube.slope * tube.slope) + sagitta,
+        m_reach);
+  }
+
+  const Shape::Vector& center() const { return m_center; }
+  double reach() const { return m_reach; }
+
+  bool may_hold(const Shape::Vector& p) const
+  {
+    const Shape::Vector u = p - m_center;
+    const double along = u.dot(m_axis);
+    return u.squaredNorm() - along * along <= m_across * m_across;
+  }
+
+private:
+  Shape::Vector m_center, m_axis = Shape::Vector::Zero();
+  double m_reach, m_across;
+};
+
 } // namespace internal
 } // namespace Area_projection
 } // namespace CGAL

@@ -296,13 +296,15 @@ void Shape_detector<ConcurrencyTag>::claim(const Shape& shape)
           if(std::abs(place.residual) < tolerance && m_levels[k]->normal(i).dot(place.normal) > 0.3)
             m_claimed_clusters[k][i] = 1;
         });
-    m_levels[k]->for_each_point_in_ball(
-        shape.center(), shape.reach() + band + 0.3 * radius, [&](std::size_t i, double) {
-          const Shape::Place place = shape.place(m_levels[k]->point(i));
-          if(shape.is_along(place.along, 0.3 * radius) && std::abs(place.residual) < band &&
-             m_levels[k]->point_normal(i).dot(place.normal) > 0.3)
-            m_claimed_points[k][i] = 1;
-        });
+    const Shape_bound bound(shape, band, 0.3 * radius);
+    m_levels[k]->for_each_point_in_ball(bound.center(), bound.reach(), [&](std::size_t i, double) {
+      if(!bound.may_hold(m_levels[k]->point(i)))
+        return;
+      const Shape::Place place = shape.place(m_levels[k]->point(i));
+      if(shape.is_along(place.along, 0.3 * radius) && std::abs(place.residual) < band &&
+         m_levels[k]->point_normal(i).dot(place.normal) > 0.3)
+        m_claimed_points[k][i] = 1;
+    });
   }
 }
 

@@ -36,14 +36,14 @@ struct Free_clusters
   template <class Function>
   void for_each_near(const Shape& shape, double band, double margin, Function&& function) const
   {
-    level->for_each_in_ball(shape.center(), shape.reach() + band + margin,
-                            [&](std::size_t i, double) {
-                              if(!is_free(i))
-                                return;
-                              const Shape::Place place = shape.place(level->position(i));
-                              if(shape.is_along(place.along, margin))
-                                function(i, place);
-                            });
+    const Shape_bound bound(shape, band, margin);
+    level->for_each_in_ball(bound.center(), bound.reach(), [&](std::size_t i, double) {
+      if(!is_free(i) || !bound.may_hold(level->position(i)))
+        return;
+      const Shape::Place place = shape.place(level->position(i));
+      if(shape.is_along(place.along, margin))
+        function(i, place);
+    });
   }
 };
 
@@ -62,8 +62,9 @@ void for_each_fitting_point(const Free_clusters& clusters, const Shape& shape, d
                             Function&& function)
 {
   const Vote_level& level = *clusters.level;
-  level.for_each_point_in_ball(shape.center(), shape.reach() + band, [&](std::size_t i, double) {
-    if(!clusters.is_point_free(i))
+  const Shape_bound bound(shape, band);
+  level.for_each_point_in_ball(bound.center(), bound.reach(), [&](std::size_t i, double) {
+    if(!clusters.is_point_free(i) || !bound.may_hold(level.point(i)))
       return;
     const Shape::Place place = shape.place(level.point(i));
     if(std::abs(place.residual) < band && shape.is_along(place.along, 0) &&

@@ -201,6 +201,14 @@ inline void trim(const Free_clusters& clusters, Shape& shape)
   }
 }
 
+/// \brief whether what a tube misses is small for its thinner end, too: a finger does not go on as the palm.
+inline bool is_thick_enough(const Shape& tube)
+{
+  constexpr double most_misfit = 0.2; // of the smaller radius
+  return tube.misfit < most_misfit * std::min(tube.tube().radius_at(tube.first),
+                                              tube.tube().radius_at(tube.last));
+}
+
 /// \brief follows a tube along its axis as far as it goes, fitting it to all of it.
 inline void follow_tube(const Free_clusters& clusters, Shape& shape)
 {
@@ -218,7 +226,7 @@ inline void follow_tube(const Free_clusters& clusters, Shape& shape)
       longer.first = -longer.last;
     }
     if(!fit_shape(clusters, longer, {true, true}, 2) ||
-       longer.deviation > 1.5 * shape.deviation + 0.01 * shape.radius())
+       longer.deviation > 1.5 * shape.deviation + 0.01 * shape.radius() || !is_thick_enough(longer))
       break;
     shape = longer;
     if(is_closed)

@@ -51,12 +51,13 @@ inline bool is_close_fit(const Shape& shape, const Shape_limits& limits)
          shape.misfit < misfit * shape.radius();
 }
 
-/// \brief whether the misfit of a tube is forgiven: limbs are no cylinders, but round, and all around.
+/// \brief whether the misfit of a tube is forgiven: limbs are no cylinders, but long, round, and all around.
 inline bool is_round_enough(const Shape& shape, const Support& support, const Shape_limits& limits)
 {
-  constexpr double least_observed = 0.6, least_turning = 0.84;
+  constexpr double least_observed = 0.6, least_turning = 0.84, least_length = 4;
   return shape.misfit < limits.misfit * shape.radius() ||
-         (observed_fraction(shape, support) > least_observed && support.turning > least_turning);
+         (shape.is_tube() && shape.length() > least_length * shape.radius() &&
+          observed_fraction(shape, support) > least_observed && support.turning > least_turning);
 }
 
 /// the largest angle between normals; noise counts where there is any, which turns faces out of a common plane.

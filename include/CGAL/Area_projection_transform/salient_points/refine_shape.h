@@ -43,11 +43,12 @@ inline std::vector<Eigen::Vector3d> points_on(const Feature_surface::Points& poi
 {
   constexpr double least_cosine = 0.4; // normals of single points are noisy
   std::vector<Eigen::Vector3d> found;
-  const double reach = shape.reach() + band + std::max(-range.margin, 0.);
-  cells.for_each_in_ball(shape.center(), reach, [&](std::size_t v, double) {
+  const Shape_bound bound(shape, band, std::max(-range.margin, 0.));
+  cells.for_each_in_ball(bound.center(), bound.reach(), [&](std::size_t v, double) {
+    if(v >= range.end || !bound.may_hold(points.positions[v]))
+      return;
     const Shape::Place place = shape.place(points.positions[v]);
-    if(v < range.end && std::abs(place.residual) < band &&
-       shape.is_along(place.along, -range.margin) &&
+    if(std::abs(place.residual) < band && shape.is_along(place.along, -range.margin) &&
        points.normals[v].dot(place.normal) > least_cosine)
       found.push_back(points.positions[v]);
   });

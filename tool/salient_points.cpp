@@ -26,7 +26,23 @@ namespace {
 using Tag = CGAL::Parallel_if_available_tag;
 using Points = std::vector<AP::Salient_point>;
 
-Points fitted_points(const Surface& surface, AP::Side side, const Salient_options& options)
+/// \brief calls `work(np)` with a callback that shows the progress and stops on a signal.
+template <class Work>
+Points with_progress(AP::Side side, const Console& console, const Work& work)
+{
+  const Signal_watch signals;
+  Progress_line progress(console, std::string("salient points, ") + AP::IO::to_text(side));
+  const std::function<bool(double)> callback = [&](double fraction) {
+    progress.show(fraction);
+    return !Signal_watch::is_interrupted();
+  };
+  Points points = work(CGAL::parameters::callback(callback));
+  Signal_watch::check();
+  return points;
+}
+
+Points fitted_points(const Surface& surface, AP::Side side, const Salient_options& options,
+                     const Console& console)
 {
   AP::Salient_point_options choices;
   choices.side = side;
@@ -34,8 +50,11 @@ Points fitted_points(const Surface& surface, AP::Side side, const Salient_option
   choices.largest_radius = options.largest_radius;
   choices.threshold = options.used_threshold();
   choices.tube_spacing = options.tube_spacing;
-  return std::visit([&](const auto* source) { return AP::salient_points<Tag>(*source, choices); },
-                    surface.source());
+  return with_progress(side, console, [&](const auto& np) {
+    return std::visit(
+        [&](const auto* source) { return AP::salient_points<Tag>(*source, choices, np); },
+        surface.source());
+  });
 }
 
 Points maxima(const Surface& surface, AP::Side side, const Salient_options& options,
@@ -47,18 +66,11 @@ Points maxima(const Surface& surface, AP::Side side, const Salient_options& opti
   choices.largest_radius = options.largest_radius;
   choices.threshold = options.used_threshold();
   choices.use_joint_map = options.mode == "joint";
-  const Signal_watch signals;
-  Progress_line progress(console, std::string("salient points, ") + AP::IO::to_text(side));
-  const std::function<bool(double)> callback = [&](double fraction) {
-    progress.show(fraction);
-    return !Signal_watch::is_interrupted();
-  };
-  const auto np = CGAL::parameters::callback(callback);
-  Points points = std::visit(
-      [&](const auto* source) { return AP::paper_salient_points<Tag>(*source, choices, np); },
-      surface.source());
-  Signal_watch::check();
-  return points;
+  return with_progress(side, console, [&](const auto& np) {
+    return std::visit(
+        [&](const auto* source) { return AP::paper_salient_points<Tag>(*source, choices, np); },
+        surface.source());
+  });
 }
 
 // The library names its own parameters, which are the options by other words.
@@ -66,7 +78,7 @@ Points points_of_side(const Surface& surface, AP::Side side, const Salient_optio
                       const Console& console)
 {
   try {
-    return options.is_fitted() ? fitted_points(surface, side, options)
+    return options.is_fitted() ? fitted_points(surface, side, options, console)
                                : maxima(surface, side, options, console);
   } catch(const std::invalid_argument& error) {
     throw Usage_error("--mode " + options.mode + ": " + error.what() +

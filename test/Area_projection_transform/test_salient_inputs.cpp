@@ -28,6 +28,7 @@
 #include <algorithm>
 #include <cmath>
 #include <cstring>
+#include <functional>
 #include <limits>
 #include <numeric>
 #include <string>
@@ -362,6 +363,34 @@ TEST(Salient_points, have_radii_of_the_range)
   options.largest_radius.reset();
   options.smallest_radius = 1.5;
   EXPECT_TRUE(found_in(icosphere(3), options).empty());
+}
+
+TEST(Salient_points, tell_their_progress)
+{
+  std::vector<double> told;
+  const std::function<bool(double)> callback = [&](double fraction) {
+    told.push_back(fraction);
+    return true;
+  };
+  const auto points =
+      AP::salient_points(surface_of(scene()), {}, CGAL::parameters::callback(callback));
+  EXPECT_EQ(points.size(), points_of_scene().size());
+  ASSERT_FALSE(told.empty());
+  EXPECT_TRUE(std::is_sorted(told.begin(), told.end()));
+  EXPECT_GT(told.front(), 0);
+  EXPECT_LE(told.back(), 1);
+}
+
+TEST(Salient_points, stop_when_they_are_told_to)
+{
+  int calls = 0;
+  const std::function<bool(double)> refuse = [&](double) {
+    ++calls;
+    return false;
+  };
+  EXPECT_TRUE(
+      AP::salient_points(surface_of(scene()), {}, CGAL::parameters::callback(refuse)).empty());
+  EXPECT_EQ(calls, 1);
 }
 
 TEST(Salient_points, refuse_choices_that_make_no_sense)

@@ -21,6 +21,7 @@
 #include <algorithm>
 #include <cmath>
 #include <cstdint>
+#include <functional>
 #include <optional>
 #include <stdexcept>
 #include <string>
@@ -43,8 +44,8 @@ struct Salient_point_options
   /// the least intensity of what is returned: a number, or one of `salient_thresholds`. By default what a shape
   /// fits to is returned, however little of it there is.
   double threshold = 0;
-  /// the least distance of tubes that follow each other along a line, in units of their radius: of those that are
-  /// nearer, the longer one is returned. Pieces of one straight tube are one tube anyway.
+  /// the least gap between the ends of tubes that follow each other along a line, in units of their radius: of those
+  /// that are nearer, the longer one is returned. Pieces of one straight tube are one tube anyway.
   std::optional<double> tube_spacing;
 };
 
@@ -211,7 +212,7 @@ inline std::optional<Salient_point> salient_point(const Feature_surface& surface
   return point;
 }
 
-/// drops tubes whose centres are near that of a longer one, along its axis.
+/// drops tubes that begin near the end of a longer one, along its axis.
 inline void thin_tubes(std::vector<Found_shape>& shapes, double spacing)
 {
   std::vector<Found_shape> kept;
@@ -230,12 +231,13 @@ inline void thin_tubes(std::vector<Found_shape>& shapes, double spacing)
 }
 
 template <class ConcurrencyTag>
-std::vector<Salient_point> salient_points_of(const Feature_surface& surface,
-                                             const std::vector<std::uint32_t>& sources,
-                                             const Salient_point_options& options)
+std::vector<Salient_point>
+salient_points_of(const Feature_surface& surface, const std::vector<std::uint32_t>& sources,
+                  const Salient_point_options& options, const std::function<bool(double)>& callback)
 {
+  Progress_report progress(callback);
   std::vector<Found_shape> found =
-      Shape_detector<ConcurrencyTag>(surface, salient_radii(surface, options)).find();
+      Shape_detector<ConcurrencyTag>(surface, salient_radii(surface, options), progress).find();
   if(options.tube_spacing)
     thin_tubes(found, *options.tube_spacing);
   const Cell_list cells(surface.points().positions, 3 * surface.resolution());
@@ -259,6 +261,14 @@ std::vector<Salient_point> salient_points_of(const Feature_surface& surface,
   return points;
 }
 
+/// the callback among named parameters.
+template <class NamedParameters>
+std::function<bool(double)> callback_of(const NamedParameters& np)
+{
+  return CGAL::parameters::choose_parameter(
+      CGAL::parameters::get_parameter(np, internal_np::callback), std::function<bool(double)>());
+}
+
 } // namespace internal
 /// \endcond
 
@@ -280,29 +290,45 @@ std::vector<Salient_point> salient_points_of(const Feature_surface& surface,
 /// `CGAL::Parallel_if_available_tag`; the result does not depend on it, to the last bit
 /// \param surface triangles, facing outward; their vertices lie on what the mesh stands for
 /// \param options the choices
+/// \param np an optional named parameter:
+/// \cgalNamedParamsBegin
+///   \cgalParamNBegin{callback}
+///     \cgalParamDescription{is told the progress, in [0, 1], and answers whether to go on; is called some
+///                           times a second by any of the threads, but never twice at a time. If it
+///                           answers `false`, the points found by then are returned.}
+///     \cgalParamType{an instance of `std::function<bool(double)>`}
+///     \cgalParamDefault{none}
+///   \cgalParamNEnd
+/// \cgalNamedParamsEnd
 /// \throw std::invalid_argument if a radius or the spacing of tubes is not positive, the radii do not ascend, or the
 /// threshold is negative or not a number
 ///
 /// Complexity: linear in the number of faces for each radius whose clusters are not much larger than the faces, and
 /// in the number of candidates, of which there are some hundreds to thousands. Memory: about 300 bytes for each face.
-template <class ConcurrencyTag = CGAL::Sequential_tag>
-std::vector<Salient_point> salient_points(const Triangle_surface& surface,
-                                          const Salient_point_options& options = {})
+template <class ConcurrencyTag = CGAL::Sequential_tag,
+          class NamedParameters = CGAL::parameters::Default_named_parameters>
+std::vector<Salient_point>
+salient_points(const Triangle_surface& surface, const Salient_point_options& options = {},
+               const NamedParameters& np = CGAL::parameters::default_values())
 {
   internal::check(options);
   return internal::salient_points_of<ConcurrencyTag>(
-      internal::Feature_surface(surface, options.side), surface.sources, options);
+      internal::Feature_surface(surface, options.side), surface.sources, options,
+      internal::callback_of(np));
 }
 
 /// \ingroup PkgAreaProjectionTransformFeatures
 /// \brief the same for points with normals, which lie on the surface, and the areas that they stand for.
-template <class ConcurrencyTag = CGAL::Sequential_tag>
-std::vector<Salient_point> salient_points(const Surfels& points,
-                                          const Salient_point_options& options = {})
+template <class ConcurrencyTag = CGAL::Sequential_tag,
+          class NamedParameters = CGAL::parameters::Default_named_parameters>
+std::vector<Salient_point>
+salient_points(const Surfels& points, const Salient_point_options& options = {},
+               const NamedParameters& np = CGAL::parameters::default_values())
 {
   internal::check(options);
   return internal::salient_points_of<ConcurrencyTag>(
-      internal::Feature_surface(points, options.side), points.sources, options);
+      internal::Feature_surface(points, options.side), points.sources, options,
+      internal::callback_of(np));
 }
 
 /// \ingroup PkgAreaProjectionTransformFeatures
@@ -310,7 +336,7 @@ std::vector<Salient_point> salient_points(const Surfels& points,
 /// \tparam TriangleMesh a model of `FaceListGraph`
 /// \param mesh the mesh, facing outward; open, holed, in several parts, as it is
 /// \param options the choices
-/// \param np the named parameters of `surface_from_mesh()`
+/// \param np the named parameters of `surface_from_mesh()`, and `callback`
 /// \throw std::invalid_argument also as `surface_from_mesh()` does
 template <class ConcurrencyTag = CGAL::Sequential_tag, class TriangleMesh,
           class NamedParameters = CGAL::parameters::Default_named_parameters>
@@ -318,7 +344,7 @@ std::vector<Salient_point>
 salient_points(const TriangleMesh& mesh, const Salient_point_options& options = {},
                const NamedParameters& np = CGAL::parameters::default_values())
 {
-  return salient_points<ConcurrencyTag>(surface_from_mesh(mesh, np), options);
+  return salient_points<ConcurrencyTag>(surface_from_mesh(mesh, np), options, np);
 }
 
 } // namespace Area_projection

@@ -56,7 +56,8 @@ struct Salient_point
   Inertia_descriptors inertia = {unknown, unknown, unknown};
 
   Salient_shape shape = Salient_shape::OTHER;
-  /// the radius of the sphere or, at `position`, of the tube that fits to the voters.
+  /// the radius of the sphere or, at `position`, of the tube that fits to the voters. `paper_salient_points()` fits
+  /// nothing: it has `scale` here, and the smoothed value of the maximum as `intensity`.
   double radius = unknown;
   /// \name An interval that holds the radius with a probability of 95 %
   /// if the vertices are displaced independently of each other. It knows nothing of surfaces that are not

@@ -7,6 +7,7 @@
 #ifndef CGAL_AREA_PROJECTION_TRANSFORM_SALIENT_POINTS_SHAPE_DETECTOR_H
 #define CGAL_AREA_PROJECTION_TRANSFORM_SALIENT_POINTS_SHAPE_DETECTOR_H
 
+#include <CGAL/Area_projection_transform/internal/Progress_report.h>
 #include <CGAL/Area_projection_transform/internal/parallel_workers.h>
 #include <CGAL/Area_projection_transform/salient_points/fit_tube.h>
 #include <CGAL/Area_projection_transform/salient_points/judge_shape.h>
@@ -67,14 +68,22 @@ template <class ConcurrencyTag>
 class Shape_detector
 {
 public:
-  Shape_detector(const Feature_surface& surface, const std::vector<double>& radii)
+  /// \param progress lives as long as the detector; once it is cancelled, nothing more is found
+  Shape_detector(const Feature_surface& surface, const std::vector<double>& radii,
+                 Progress_report& progress)
+      : m_progress(progress)
   {
     m_levels.resize(radii.size());
     std::vector<std::vector<Candidate>> found(radii.size());
     for_each_index<ConcurrencyTag>(radii.size(), [&](std::size_t k) {
+      if(m_progress.is_cancelled())
+        return;
       m_levels[k] = std::make_unique<Vote_level>(surface, radii[k]);
       m_levels[k]->append_candidates(least_score, least_voters, std::uint32_t(k), found[k]);
+      m_progress.advance(part_of_levels / double(radii.size()));
     });
+    if(m_progress.is_cancelled())
+      return;
     for(std::size_t k = 0; k < radii.size(); ++k) {
       m_candidates.insert(m_candidates.end(), found[k].begin(), found[k].end());
       m_claimed_clusters.emplace_back(m_levels[k]->size(), 0);
@@ -90,6 +99,7 @@ private:
   static constexpr std::uint32_t least_voters = 8;
   static constexpr double least_score = 0.03;   // half a tube of which three quarters are missing
   static constexpr std::size_t batch_size = 16; // whatever the number of threads
+  static constexpr double part_of_levels = 0.4; // of the time
 
   struct Failure
   {
@@ -132,6 +142,7 @@ private:
   bool is_still_free(const Found_shape& found) const;
   void claim(const Shape& shape);
 
+  Progress_report& m_progress;
   std::vector<std::unique_ptr<Vote_level>> m_levels;
   std::vector<std::vector<char>> m_claimed_clusters, m_claimed_points; // per level
   std::vector<Candidate> m_candidates;                                 // the best first
@@ -365,7 +376,11 @@ template <class ConcurrencyTag>
 std::vector<Found_shape> Shape_detector<ConcurrencyTag>::find()
 {
   std::vector<Found_shape> all;
-  for(std::vector<Candidate> batch = next_batch(); !batch.empty(); batch = next_batch()) {
+  for(;;) {
+    const std::size_t next_before = m_next;
+    const std::vector<Candidate> batch = next_batch();
+    if(batch.empty())
+      break;
     std::vector<std::optional<Found_shape>> found(batch.size());
     for_each_index<ConcurrencyTag>(batch.size(), [&](std::size_t b) { found[b] = fit(batch[b]); });
     std::vector<Candidate> again;
@@ -381,6 +396,10 @@ std::vector<Found_shape> Shape_detector<ConcurrencyTag>::find()
         again.push_back(batch[b]);
     }
     m_postponed.insert(m_postponed.begin(), again.begin(), again.end());
+    m_progress.advance((1 - part_of_levels) * double(m_next - next_before) /
+                       double(m_candidates.size()));
+    if(m_progress.is_cancelled())
+      break;
   }
   return all;
 }

@@ -53,10 +53,10 @@ public:
   Vote_level(const Feature_surface& surface, double radius)
       : m_radius(radius), m_sigma(sigma_ratio * radius)
   {
-    cluster(surface);
+    const Cell_index clusters = cluster(surface);
     average_normals();
     m_neighbours = Cell_list(m_positions, search_size * radius);
-    choose_points(surface.points());
+    choose_points(surface.points(), clusters);
     m_point_cells = Cell_list(m_points, search_size * radius);
   }
 
@@ -119,9 +119,9 @@ public:
                          std::vector<Candidate>& candidates) const;
 
 private:
-  void cluster(const Feature_surface& surface);
+  Cell_index cluster(const Feature_surface& surface);
   void average_normals();
-  void choose_points(const Feature_surface::Points& points);
+  void choose_points(const Feature_surface::Points& points, const Cell_index& clusters);
   Vector normal_near(const Vector& position, const Vector& normal) const;
 
   static unsigned octant(const Vector& n)
@@ -145,7 +145,8 @@ private:
   Cell_list m_point_cells;
 };
 
-inline void Vote_level::cluster(const Feature_surface& surface)
+/// \return where the clusters are
+inline Cell_index Vote_level::cluster(const Feature_surface& surface)
 {
   const double size = cluster_size * m_radius;
   if(!surface.patches().empty())
@@ -171,6 +172,7 @@ inline void Vote_level::cluster(const Feature_surface& surface)
     m_positions[i] /= m_areas[i];
     m_side_normals[i].normalize();
   }
+  return cells;
 }
 
 /// \brief sums area vectors over the neighbourhood of each cluster, as far as they belong to the same side of
@@ -206,8 +208,11 @@ inline Eigen::Vector3d Vote_level::normal_near(const Vector& position, const Vec
   return sum.squaredNorm() > 0 ? Vector(sum.normalized()) : normal;
 }
 
-/// the first point of each cell.
-inline void Vote_level::choose_points(const Feature_surface::Points& points)
+/// \brief the first point of each cell, with the normal of the cluster there.
+///
+/// Vertices have patches around them, so there is one, unless its faces point elsewhere.
+inline void Vote_level::choose_points(const Feature_surface::Points& points,
+                                      const Cell_index& clusters)
 {
   Cell_index cells(size());
   for(std::size_t v = 0; v < points.positions.size(); ++v) {
@@ -217,7 +222,9 @@ inline void Vote_level::choose_points(const Feature_surface::Points& points)
       continue;
     m_points.push_back(points.positions[v]);
     m_point_spacings.push_back(points.spacings[v]);
-    m_point_normals.push_back(normal_near(points.positions[v], points.normals[v]));
+    const std::uint32_t i = clusters.find(key);
+    m_point_normals.push_back(
+        i != Cell_index::none ? m_normals[i] : normal_near(points.positions[v], points.normals[v]));
   }
 }
 

@@ -204,7 +204,7 @@ inline void trim(const Free_clusters& clusters, Shape& shape)
 /// \brief whether what a tube misses is small for its thinner end, too: a finger does not go on as the palm.
 inline bool is_thick_enough(const Shape& tube)
 {
-  constexpr double most_misfit = 0.2; // of the smaller radius
+  constexpr double most_misfit = 0.13; // of the smaller radius
   return tube.misfit < most_misfit * std::min(tube.tube().radius_at(tube.first),
                                               tube.tube().radius_at(tube.last));
 }

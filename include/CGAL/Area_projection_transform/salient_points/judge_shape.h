@@ -7,6 +7,7 @@
 #ifndef CGAL_AREA_PROJECTION_TRANSFORM_SALIENT_POINTS_JUDGE_SHAPE_H
 #define CGAL_AREA_PROJECTION_TRANSFORM_SALIENT_POINTS_JUDGE_SHAPE_H
 
+#include <CGAL/Area_projection_transform/salient_points/fit_tube.h>
 #include <CGAL/Area_projection_transform/salient_points/support.h>
 
 #include <algorithm>
@@ -82,7 +83,7 @@ inline bool is_supported(const Shape& shape, const Support& support, const Shape
   const double least_observed =
       limits.least_observed + limits.observed_for_noise * shape.deviation / shape.radius();
   return support.clusters >= limits.least_clusters && !is_too_bent(shape, limits) &&
-         is_round_enough(shape, support, limits) &&
+         is_round_enough(shape, support, limits) && (!shape.is_tube() || is_thick_enough(shape)) &&
          support.area > least_observed * full_area(shape) &&
          support.area_within < limits.most_within * support.area &&
          support.normal_error < largest_normal_error(shape, support, limits) &&

@@ -11,6 +11,7 @@
 #include <CGAL/Area_projection_transform/Surfels.h>
 #include <CGAL/Area_projection_transform/Triangle_surface.h>
 #include <CGAL/Area_projection_transform/internal/Edges_by_vertex.h>
+#include <CGAL/Area_projection_transform/internal/eigen_vectors.h>
 #include <CGAL/Area_projection_transform/internal/joined_points.h>
 
 #include <Eigen/Core>
@@ -26,16 +27,6 @@
 namespace CGAL {
 namespace Area_projection {
 namespace internal {
-
-inline Eigen::Vector3d to_eigen(const Point_3& p)
-{
-  return {p.x(), p.y(), p.z()};
-}
-
-inline Eigen::Vector3d to_eigen(const Vector_3& v)
-{
-  return {v.x(), v.y(), v.z()};
-}
 
 /// \brief a surface as detectors of shapes want it: patches that vote, and points to which shapes are fitted.
 ///

@@ -75,9 +75,10 @@ public:
 
   explicit Normal_equations(const Tukey& tukey) : m_tukey(tukey) {}
 
-  void add(double residual, const Row& row)
+  /// \param prior how much the point counts, whatever its residual
+  void add(double residual, const Row& row, double prior = 1)
   {
-    const double weight = m_tukey.weight(residual);
+    const double weight = prior * m_tukey.weight(residual);
     if(weight > 0) {
       m_hessian.noalias() += weight * row * row.transpose();
       m_gradient += weight * residual * row;
@@ -85,7 +86,7 @@ public:
       m_scatter.noalias() += psi * psi * row * row.transpose();
     }
     m_sum_of_weights += weight;
-    m_sum_of_slopes += m_tukey.slope(residual);
+    m_sum_of_slopes += prior * m_tukey.slope(residual);
     ++m_number;
   }
 

@@ -98,7 +98,7 @@ public:
   void look_at(const Canal& canal)
   {
     m_window.tolerance = least_tolerance;
-    m_neighbours.gather(*m_levels, canal, m_window.half_length);
+    gather(canal);
   }
 
   /// the window of the last fit.
@@ -112,13 +112,43 @@ private:
   void iterate(Canal& canal, int times, double tolerance)
   {
     m_window.tolerance = tolerance;
-    m_neighbours.gather(*m_levels, canal, m_window.half_length);
+    gather(canal);
     for(int i = 0; i < times; ++i) {
       const bool is_still = !improve(canal);
       m_window.tolerance = std::max(least_tolerance, shrinkage * m_window.tolerance);
       if(is_still && m_window.tolerance == least_tolerance)
         return;
     }
+  }
+
+  /// \brief finds what is around, further along the axis where there is little.
+  ///
+  /// Errors of the points fall with the square root of their number, and those of the tilt with the length.
+  void gather(const Canal& canal)
+  {
+    constexpr double half_length = 0.7, longest = 1.4, enough = 60;
+    m_window.half_length = half_length;
+    m_neighbours.gather(*m_levels, canal, half_length);
+    const double number = effective_number(canal);
+    if(number >= enough)
+      return;
+    m_window.half_length = std::min(half_length * enough / std::max(number, 1.), longest);
+    m_neighbours.gather(*m_levels, canal, m_window.half_length);
+  }
+
+  /// how many points of equal weight would tell as much.
+  double effective_number(const Canal& canal) const
+  {
+    double sum = 0, squares = 0;
+    for(std::size_t i = 0; i < m_neighbours.positions.size(); ++i) {
+      if(!(m_neighbours.weights[i] > 0))
+        continue;
+      const Canal::Place at = canal.place(m_neighbours.positions[i]);
+      const double weight = m_neighbours.weights[i] * m_window(canal, at, m_neighbours.normals[i]);
+      sum += weight;
+      squares += weight * weight;
+    }
+    return squares > 0 ? sum * sum / squares : 0;
   }
 
   /// one step; returns whether it changed much.

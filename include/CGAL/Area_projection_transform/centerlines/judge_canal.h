@@ -37,6 +37,9 @@ struct Canal_support
   double last = 0;        ///< the furthest voter along the axis
   /// how much normals turn along the axis, in units of what they do on a sphere: 0 for tubes, bent ones, too.
   double closing = 0;
+  /// the angle between the normals of the surface and those of the model, root mean square: large in
+  /// corners.
+  double normal_error = 0;
   double claimed = 0; ///< the part of the area that belongs to other lines already
 };
 
@@ -78,6 +81,7 @@ public:
     support.area_within = m_area_within / m_area;
     support.ahead = m_ahead / m_weighed;
     support.last = m_last;
+    support.normal_error = std::sqrt(m_normal_errors / m_weighed);
     support.claimed = m_claimed / m_area;
     const double variance = m_ss - m_s * m_s / m_weighed;
     if(variance > 0)
@@ -103,6 +107,7 @@ private:
     m_last = std::max(m_last, at.along);
     const Eigen::Vector3d& n = near.normals[i];
     const double along = n.dot(at.tangent);
+    m_normal_errors += area * n.cross(at.normal(m_canal.tube.slope)).squaredNorm();
     m_s += area * at.along;
     m_ss += area * at.along * at.along;
     m_n += area * along;
@@ -133,6 +138,7 @@ private:
   std::size_t m_voters = 0;
   double m_area = 0, m_area_within = 0, m_fitted = 0, m_squares = 0, m_weighed = 0, m_ahead = 0,
          m_last = 0, m_claimed = 0;
+  double m_normal_errors = 0;
   double m_s = 0, m_ss = 0, m_n = 0, m_sn = 0, m_xx = 0, m_xy = 0, m_yy = 0;
 };
 
@@ -140,10 +146,15 @@ private:
 inline bool is_tube(const Canal& canal, const Canal_support& support, double smallest_radius,
                     double largest_radius)
 {
+  // Where tubes meet they look like one that widens fast, to which little fits well.
+  const double most_deviation = 0.1 / (1 + 8 * std::abs(canal.tube.slope));
+  // So does a tube in a corner, of which there is not much more than half.
+  const double most_normal_error = support.coverage < 0.65 ? 0.22 : 0.5;
   const double r = canal.round_radius();
   return r > 0.7 * smallest_radius && r < 1.3 * largest_radius && support.voters >= 10 &&
-         support.deviation < 0.12 && support.coverage > 0.5 && support.isotropy > 0.2 &&
-         support.area_within < 0.25 && std::abs(support.closing) < 0.6;
+         support.deviation < most_deviation && support.coverage > 0.5 && support.isotropy > 0.2 &&
+         support.area_within < 0.25 && std::abs(support.closing) < 0.6 &&
+         support.normal_error < most_normal_error;
 }
 
 } // namespace internal

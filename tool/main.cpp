@@ -34,6 +34,7 @@ const std::vector<Command>& commands()
       {"transform", "maps of a mesh: the surface that projects to each voxel", run_transform},
       {"evaluate", "the same at given points and radii", run_evaluate},
       {"salient", "the centres of spheres and tubes, with radii", run_salient},
+      {"lines", "the centrelines of tubes, with radii, joined to a graph", run_lines},
       {"info", "what is in a mesh or a map, and what is wrong with it", run_info}};
   return all;
 }

@@ -208,4 +208,11 @@ void draw_tube(Canvas& canvas, const Camera& camera, const std::vector<Cross_sec
     draw_line(canvas, camera(sections[r].centre), camera(sections[r + 1].centre), paint.colour);
 }
 
+void draw_polyline(Canvas& canvas, const Camera& camera, const std::vector<AP::Point_3>& points,
+                   const Colour& colour)
+{
+  for(std::size_t i = 0; i + 1 < points.size(); ++i)
+    draw_line(canvas, camera(points[i]), camera(points[i + 1]), colour);
+}
+
 } // namespace mapt

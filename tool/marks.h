@@ -45,6 +45,10 @@ void draw_sphere(Canvas& canvas, const Camera& camera, const AP::Point_3& centre
 void draw_tube(Canvas& canvas, const Camera& camera, const std::vector<Cross_section>& sections,
                const Paint& paint);
 
+// A line through points, at least one.
+void draw_polyline(Canvas& canvas, const Camera& camera, const std::vector<AP::Point_3>& points,
+                   const Colour& colour);
+
 } // namespace mapt
 
 #endif // MAPT_MARKS_H

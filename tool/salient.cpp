@@ -9,8 +9,8 @@
 #include "commands.h"
 #include "cost.h"
 #include "describe_input.h"
+#include "file_elements.h"
 #include "map_file.h"
-#include "mesh_topology.h"
 #include "progress.h"
 #include "salient_options.h"
 #include "salient_picture.h"
@@ -22,7 +22,6 @@
 #include <CGAL/Area_projection_transform/IO/salient_points_PLY.h>
 #include <CGAL/Area_projection_transform/internal/atomic_file.h>
 
-#include <filesystem>
 #include <iostream>
 
 namespace mapt {
@@ -36,41 +35,15 @@ void write_table(std::ostream& stream, const Salient_points& found)
     table.write(found.points[i], found.sides[i]);
 }
 
-// The elements of the file that those of the surface come from: some may have been left out, and polygons
-// have several triangles.
-std::vector<std::int32_t> places_in_file(const std::vector<std::uint32_t>& sources,
-                                         const Input& input)
-{
-  std::vector<std::int32_t> places;
-  for(const std::uint32_t source : sources)
-    places.push_back(
-        std::int32_t((input.is_point_set ? input.source_points : input.source_faces)[source]));
-  return places;
-}
-
 void write_voters(const Salient_points& found, const Surface& surface, const Input& input,
                   const Salient_options& options)
 {
-  AP::IO::PLY_options ply;
-  ply.comments = {"mapt salient: salient_point is the row of the table, from 0, or -1",
-                  std::string(input.is_point_set ? "source_point" : "source_face") +
-                      " counts from 0 in " + std::filesystem::path(input.file).filename().string()};
-  std::visit(
-      [&](const auto* source) {
-        auto elements = AP::IO::salient_points_PLY(*source, found.points);
-        elements.back().add(input.is_point_set ? "source_point" : "source_face",
-                            places_in_file(source->sources, input));
-        AP::IO::write_PLY(options.voters, elements, ply);
-      },
-      surface.source());
-}
-
-std::vector<Segment> holes_of(const Input& input)
-{
-  std::vector<Segment> holes;
-  for(const auto& [from, to] : boundary_edges(join_equal_points(input.points), input.triangles))
-    holes.push_back({input.points[from], input.points[to]});
-  return holes;
+  write_labelled_elements(
+      options.voters,
+      std::visit(
+          [&](const auto* source) { return AP::IO::salient_points_PLY(*source, found.points); },
+          surface.source()),
+      "mapt salient: salient_point is the row of the table, from 0, or -1", surface, input);
 }
 
 void write_files(const Salient_points& found, const Surface& surface, const Input& input,

@@ -6,6 +6,7 @@
 
 #include "salient_picture.h"
 
+#include "body_picture.h"
 #include "canvas.h"
 #include "marks.h"
 #include "text.h"
@@ -24,8 +25,6 @@ namespace {
 using namespace palette;
 using AP::Salient_point;
 using AP::Salient_shape;
-
-constexpr int oversampling = 2; // against stairs; `draw_halved()` undoes it
 
 bool is_tube(const Salient_point& point)
 {
@@ -148,28 +147,6 @@ CGAL::Bbox_3 box_of(const Salient_point& point, Salient_style style)
   return box;
 }
 
-// The surface, and marks that reach out of it, but not far.
-CGAL::Bbox_3 box_of(const Picture_source& surface, const std::vector<Salient_point>& points,
-                    Salient_style style)
-{
-  const CGAL::Bbox_3 body = std::visit([](const auto* s) { return s->bbox(); }, surface);
-  const double room = 0.1 * std::max({body.x_span(), body.y_span(), body.z_span()});
-  CGAL::Bbox_3 box = body;
-  for(const Salient_point& point : points)
-    box += box_of(point, style);
-  return {std::max(box.xmin(), body.xmin() - room), std::max(box.ymin(), body.ymin() - room),
-          std::max(box.zmin(), body.zmin() - room), std::min(box.xmax(), body.xmax() + room),
-          std::min(box.ymax(), body.ymax() + room), std::min(box.zmax(), body.zmax() + room)};
-}
-
-// Pixels per unit of length: two views abreast fill the width, unless that makes the page too tall.
-double scale_for(const CGAL::Bbox_3& box)
-{
-  constexpr double wanted_width = 1400, largest_height = 1800;
-  return std::min(wanted_width / (box.x_span() + box.z_span()),
-                  largest_height / (box.y_span() + box.z_span()));
-}
-
 // -- the legend -----------------------------------------------------------------------------------
 
 constexpr int legend_width = 340, legend_height = 250;
@@ -258,10 +235,8 @@ void draw_legend(Canvas& canvas, int x, int y, const std::vector<Salient_point>&
     draw_gradient(canvas, x, y + 52, "intensity", "0", to_text(largest, 3), by_intensity);
     y += 112;
   }
-  if(has_holes) {
-    canvas.fill(x, y + 6, 26, 2, line_colour);
-    canvas.write(x + 42, y, "hole", font_size, ink);
-  }
+  if(has_holes)
+    draw_legend_of_holes(canvas, x, y);
 }
 
 } // namespace
@@ -270,28 +245,18 @@ void write_salient_picture(const std::string& file, const Picture_source& surfac
                            const std::vector<Salient_point>& points,
                            const std::vector<Segment>& holes, Salient_style style)
 {
-  const CGAL::Bbox_3 box = box_of(surface, points, style);
-  const double scale = scale_for(box), largest = largest_intensity(points);
-  std::array<int, 3> size;
-  for(int axis = 0; axis < 3; ++axis)
-    size[std::size_t(axis)] = 1 + int(scale * (box.max(axis) - box.min(axis)));
-  const std::array<Frame, 3> frames = arrange(size);
-  const int legend_x = frames[1].x, legend_y = frames[2].y;
-  Canvas canvas(std::max(frames[1].right(), legend_x + legend_width) + 2 * margin,
-                std::max(frames[2].bottom(), legend_y + legend_height) + margin + 8, ground);
-  for(std::size_t i = 0; i < frames.size(); ++i) {
-    const Camera camera(views[i], box, oversampling * scale);
-    Canvas page(camera.width(), camera.height(), ground);
-    const Rasterizer body = draw_body(page, camera, surface);
-    draw_lines(page, camera, body, holes, true);
+  const double largest = largest_intensity(points);
+  Body_picture picture{surface, {}, holes, legend_width, legend_height, {}, {}};
+  for(const Salient_point& point : points)
+    picture.marks += box_of(point, style);
+  picture.draw_marks = [&](Canvas& page, const Camera& camera) {
     for(const std::size_t p : order_of_drawing(points))
       draw_point(page, camera, points[p], paint_of(points[p], largest, style), style);
-    draw_lines(page, camera, body, holes, false);
-    canvas.draw_halved(page, frames[i].x, frames[i].y);
-    draw_axes(canvas, views[i], frames[i]);
-  }
-  draw_legend(canvas, legend_x, legend_y, points, !holes.empty(), style);
-  canvas.write_PNG(file);
+  };
+  picture.draw_legend = [&](Canvas& canvas, int x, int y) {
+    draw_legend(canvas, x, y, points, !holes.empty(), style);
+  };
+  write_body_picture(file, picture);
 }
 
 } // namespace mapt

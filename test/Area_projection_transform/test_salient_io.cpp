@@ -136,7 +136,7 @@ TEST(SalientPointsPLY, faces_show_what_they_support)
   options.is_ascii = true;
   options.comments = {"two lines", "of comment"};
   IO::write_PLY(out, IO::salient_points_PLY(three_triangles(), points), options);
-  const auto grey = IO::internal::colour_of_no_point;
+  const auto grey = IO::internal::colour_of_no_label;
   const auto colour = [](AP::Salient_shape shape, std::size_t rank) {
     std::string text;
     for(const int channel : IO::colour_of_salient_point(shape, rank))

@@ -89,7 +89,7 @@ private:
     const double r = std::max(s.ra, s.rb) + 3 * m_spacing;
     std::array<int, 3> low, high;
     for(int axis = 0; axis < 3; ++axis) {
-      const auto [from, to] = std::minmax(s.a[axis], s.b[axis]);
+      const double from = std::min(s.a[axis], s.b[axis]), to = std::max(s.a[axis], s.b[axis]);
       const std::size_t x = std::size_t(axis);
       low[x] = std::max(0, int((from - r - m_origin[axis]) / m_spacing));
       high[x] = std::min(m_size[x] - 1, int((to + r - m_origin[axis]) / m_spacing) + 1);

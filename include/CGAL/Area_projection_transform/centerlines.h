@@ -9,12 +9,78 @@
 
 #include <CGAL/Area_projection_transform/Surfels.h>
 #include <CGAL/Area_projection_transform/Triangle_surface.h>
+#include <CGAL/Area_projection_transform/centerlines/Ball_graph.h>
 #include <CGAL/Area_projection_transform/centerlines/Centerline_graph.h>
 #include <CGAL/Area_projection_transform/centerlines/Centerline_options.h>
+#include <CGAL/Area_projection_transform/centerlines/Draft_line.h>
+#include <CGAL/Area_projection_transform/centerlines/Line_joiner.h>
+#include <CGAL/Area_projection_transform/centerlines/assign_branches.h>
+#include <CGAL/Area_projection_transform/centerlines/find_lines.h>
+#include <CGAL/Area_projection_transform/centerlines/finish_graph.h>
+#include <CGAL/Area_projection_transform/centerlines/inner_balls.h>
+#include <CGAL/Area_projection_transform/centerlines/tidy_graph.h>
 #include <CGAL/Area_projection_transform/surfels_from_mesh.h>
+
+#include <cstddef>
+#include <cstdint>
+#include <utility>
+#include <vector>
 
 namespace CGAL {
 namespace Area_projection {
+
+/// \cond SKIP_IN_MANUAL
+namespace internal {
+
+/// lines, joined if that is wanted, without twigs.
+template <class ConcurrencyTag>
+Draft_graph draft_graph(const Sample_levels& levels, const Line_samples& samples,
+                        const std::vector<Draft_line>& lines, const Centerline_options& options)
+{
+  std::vector<Inner_ball> balls;
+  if(options.do_join && lines.size() > 1)
+    balls = inner_balls<ConcurrencyTag>(levels, samples);
+  Draft_graph graph = options.do_join
+                          ? Line_joiner<ConcurrencyTag>(lines, Ball_graph(lines, std::move(balls)),
+                                                        options.vertex_spacing)
+                                .join()
+                          : Draft_graph(lines);
+  if(options.do_extend)
+    extend_ends(graph, lines, options.vertex_spacing);
+  prune_twigs(graph, options.least_length);
+  merge_nodes(graph);
+  return graph;
+}
+
+template <class ConcurrencyTag>
+Centerline_graph centerlines_of(const Line_samples& samples,
+                                const std::vector<std::uint32_t>& sources,
+                                const Centerline_options& options)
+{
+  if(samples.size() == 0)
+    return Centerline_graph();
+  const Sample_levels levels(samples);
+  Line_finder<ConcurrencyTag> finder(samples, levels);
+  std::vector<Draft_line> lines;
+  for(Traced_line& line : finder.find(options.least_length))
+    lines.push_back(draft_line<ConcurrencyTag>(levels, std::move(line), options.vertex_spacing));
+  const Draft_graph draft = draft_graph<ConcurrencyTag>(levels, samples, lines, options);
+  Graph_finisher finisher(draft);
+  std::vector<std::int32_t> branch_of_sample(samples.size(), -1);
+  for(std::size_t i = 0; i < samples.size(); ++i)
+    if(finder.claims()[i] >= 0) {
+      const std::size_t l = std::size_t(finder.claims()[i]);
+      branch_of_sample[i] = finisher.branch_of(
+          draft.first_of_line[l] + lines[l].vertex_of_point[finder.claimed_points()[i]]);
+    }
+  Centerline_graph graph = std::move(finisher.graph());
+  assign_branches(samples, branch_of_sample, sources, graph[boost::graph_bundle].branches);
+  graph[boost::graph_bundle].is_turned_over = samples.is_turned_over();
+  return graph;
+}
+
+} // namespace internal
+/// \endcond
 
 /// \ingroup PkgAreaProjectionTransformFeatures
 /// \brief returns the centrelines of the tubes that a surface is made of, with their radii, joined where they meet.
@@ -44,8 +110,8 @@ Centerline_graph centerlines(const Triangle_surface& surface,
                              const Centerline_options& options = {})
 {
   internal::check(options);
-  (void)surface;
-  return Centerline_graph();
+  return internal::centerlines_of<ConcurrencyTag>(internal::Line_samples(surface, options),
+                                                  surface.sources, options);
 }
 
 /// \ingroup PkgAreaProjectionTransformFeatures
@@ -54,8 +120,8 @@ template <class ConcurrencyTag = CGAL::Sequential_tag>
 Centerline_graph centerlines(const Surfels& points, const Centerline_options& options = {})
 {
   internal::check(options);
-  (void)points;
-  return Centerline_graph();
+  return internal::centerlines_of<ConcurrencyTag>(internal::Line_samples(points, options),
+                                                  points.sources, options);
 }
 
 /// \ingroup PkgAreaProjectionTransformFeatures

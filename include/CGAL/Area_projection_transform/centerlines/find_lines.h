@@ -39,6 +39,7 @@ public:
       , m_levels(levels)
       , m_tracer(levels, samples.smallest_radius(), samples.largest_radius())
       , m_claims(samples.size(), -1)
+      , m_claimed_points(samples.size(), 0)
       , m_misfits(samples.size(), 1)
   {}
 
@@ -59,6 +60,8 @@ public:
 
   /// the line that each sample belongs to, or -1.
   const Claims& claims() const { return m_claims; }
+  /// the point of that line that it is beside.
+  const std::vector<std::uint32_t>& claimed_points() const { return m_claimed_points; }
 
 private:
   static constexpr std::size_t seeds_of_round = 96, most_seeds = 1500, most_barren = 3;
@@ -143,8 +146,8 @@ private:
   {
     constexpr double along = 0.7, tolerance = 0.35, least_cosine = 0.4;
     const std::int32_t number = std::int32_t(m_lines.size());
-    for(const Fitted_canal& point : line.points) {
-      const Canal& canal = point.canal;
+    for(std::size_t k = 0; k < line.points.size(); ++k) {
+      const Canal& canal = line.points[k].canal;
       const double r = canal.tube.radius;
       const double reach = std::hypot(along * r, canal.largest_semi_axis() + tolerance * r);
       const Sample_levels::Level& level = m_levels.finest();
@@ -157,6 +160,7 @@ private:
           return;
         m_misfits[level.indices[i]] = misfit;
         m_claims[level.indices[i]] = number;
+        m_claimed_points[level.indices[i]] = std::uint32_t(k);
       });
     }
   }
@@ -167,6 +171,7 @@ private:
   std::vector<Traced_line> m_lines;
   std::vector<Axis_point> m_axis;
   Claims m_claims;
+  std::vector<std::uint32_t> m_claimed_points;
   std::vector<double> m_misfits;
 };
 

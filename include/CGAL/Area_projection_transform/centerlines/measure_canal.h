@@ -9,6 +9,7 @@
 
 #include <CGAL/Area_projection_transform/centerlines/Centerline_graph.h>
 #include <CGAL/Area_projection_transform/centerlines/Line_tracer.h>
+#include <CGAL/Area_projection_transform/centerlines/refine_chain.h>
 #include <CGAL/Area_projection_transform/fitting/Robust_fit.h>
 
 #include <Eigen/Core>
@@ -145,29 +146,18 @@ inline double mapt_at(const Sample_levels& levels, const Canal& canal)
   return area / (4 * pi * r * r);
 }
 
-inline Point_3 to_point_3(const Eigen::Vector3d& p)
-{
-  return Point_3(p.x(), p.y(), p.z());
-}
-
-inline Vector_3 to_vector_3(const Eigen::Vector3d& v)
-{
-  return Vector_3(v.x(), v.y(), v.z());
-}
-
 /// what is known of a tube where a piece of it was fitted.
 inline Centerline_vertex measure_canal(const Sample_levels& levels, const Fitted_canal& fitted)
 {
   const Canal& canal = fitted.canal;
-  Canal_neighbours near;
-  const Canal_window window;
-  near.gather(levels, canal, window.half_length);
-  const Canal_section section(canal, near, window);
+  Canal_fit fit(levels);
+  fit.look_at(canal);
+  const Canal_section section(canal, fit.neighbours(), fit.window());
   Centerline_vertex vertex;
   vertex.point = to_point_3(canal.tube.center);
   vertex.tangent = to_vector_3(canal.tube.axis);
   vertex.radius = canal.round_radius();
-  const double error = radius_error(canal, near, window);
+  const double error = radius_error(canal, fit.neighbours(), fit.window());
   vertex.radius_low = vertex.radius - error;
   vertex.radius_high = vertex.radius + error;
   vertex.coverage = fitted.support.coverage;

@@ -68,9 +68,8 @@ struct Shape_descriptor_options
   /// whether the maps are divided by the coverage, the part of the surface that is seen from inside: 1 for a closed
   /// surface, less if parts of it are missing, which would make the values smaller.
   bool compensate = true;
-  /// the size of the pieces that are projected, in units of `σ`, in (0, 1]: histograms do not need the accuracy
-  /// that maps have by default.
-  double sampling_ratio = 1;
+  /// the spacing of the samples that are projected, in voxels, positive; each triangle has at least one.
+  double sample_spacing = 1;
 };
 
 /// \cond SKIP_IN_MANUAL
@@ -106,11 +105,8 @@ inline void check(const Shape_descriptor_options& options)
   check_positive(options.scale_divisor, "scale_divisor");
   check_positive(options.voxel_size, "voxel_size");
   check_positive(options.largest_value, "largest_value");
-  check_positive(options.sampling_ratio, "sampling_ratio");
+  check_positive(options.sample_spacing, "sample_spacing");
   check_sigma_ratio(options.sigma_ratio);
-  if(options.sampling_ratio > 1)
-    throw std::invalid_argument("sampling_ratio is " + std::to_string(options.sampling_ratio) +
-                                ": must be at most 1");
   if(options.smoothing_ratio)
     check_positive(*options.smoothing_ratio, "smoothing_ratio");
   check_bins(options.bins, "bins");

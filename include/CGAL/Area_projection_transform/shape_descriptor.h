@@ -16,9 +16,11 @@
 #include <CGAL/Area_projection_transform/scale_space/Averaged_normals.h>
 #include <CGAL/Area_projection_transform/scale_space/Mean_curvature_flow.h>
 #include <CGAL/Area_projection_transform/shape_descriptor/Histogram_sinks.h>
+#include <CGAL/Area_projection_transform/shape_descriptor/Passed_normals.h>
 #include <CGAL/Area_projection_transform/shape_descriptor/Sampled_scale_spaces.h>
 #include <CGAL/Area_projection_transform/shape_descriptor/Shape_descriptor_options.h>
 #include <CGAL/Area_projection_transform/shape_descriptor/Solid.h>
+#include <CGAL/Area_projection_transform/shape_descriptor/loop_subdivision.h>
 #include <CGAL/Area_projection_transform/surfels_from_mesh.h>
 
 #include <cmath>
@@ -122,21 +124,36 @@ private:
   const Shape_descriptor_options& m_options;
 };
 
-/// \brief calls `use(scale_space)` with the surface as the options want it seen, in samples of some spacing, and returns
-/// what that returns.
+/// the surface with normals that are passed on, unless it is so fine that solving for them is faster.
 template <class Use>
-auto with_scale_space(Triangle_surface surface, double spacing,
+auto with_averaged_normals(Triangle_surface surface, const std::vector<Scale>& scales, double ratio,
+                           double spacing, Use&& use)
+{
+  const Passed_normals normals(surface);
+  if(normals.number_of_passes(0, ratio * scales.back().radius) > Passed_normals::most_passes)
+    return use(Sampled_smoothing_scale_space(Averaged_normals(std::move(surface), ratio), spacing));
+  std::vector<double> radii;
+  for(const Scale& scale : scales)
+    radii.push_back(scale.radius);
+  return use(Sampled_averaging_scale_space(surface, normals, std::move(radii), ratio, spacing));
+}
+
+/// \brief calls `use(scale_space)` with the surface as the options want it seen at some scales, in samples of some spacing,
+/// and returns what that returns.
+template <class Use>
+auto with_scale_space(Triangle_surface surface, const std::vector<Scale>& scales, double spacing,
                       const Shape_descriptor_options& options, Use&& use)
 {
   switch(options.normals) {
   case Descriptor_normals::INTERPOLATED:
+  case Descriptor_normals::SUBDIVIDED:
     surface.vertex_normals = angle_weighted_normals(surface);
     break;
-  case Descriptor_normals::AVERAGED: {
-    const double ratio =
-        options.smoothing_ratio.value_or(Averaged_normals<>::default_averaging_ratio);
-    return use(Sampled_smoothing_scale_space(Averaged_normals(std::move(surface), ratio), spacing));
-  }
+  case Descriptor_normals::AVERAGED:
+    return with_averaged_normals(
+        std::move(surface), scales,
+        options.smoothing_ratio.value_or(Averaged_normals<>::default_averaging_ratio), spacing,
+        use);
   case Descriptor_normals::SMOOTHED: {
     const double ratio =
         options.smoothing_ratio.value_or(Mean_curvature_flow::default_smoothing_ratio);
@@ -147,6 +164,20 @@ auto with_scale_space(Triangle_surface surface, double spacing,
     break;
   }
   return use(Sampled_scale_space(surface, spacing));
+}
+
+/// the solid to describe: smoothed by subdivision, if that is wanted and the faces are large.
+template <class ConcurrencyTag>
+Solid solid_to_describe(const Triangle_surface& surface, const Shape_descriptor_options& options)
+{
+  Solid solid = make_solid<ConcurrencyTag>(surface);
+  if(options.normals != Descriptor_normals::SUBDIVIDED)
+    return solid;
+  const double edge = 2 * std::cbrt(solid.volume) / options.scale_divisor;
+  const double area_of_face = std::sqrt(3.) / 4 * edge * edge;
+  if(surface.total_area() <= area_of_face * double(surface.size()))
+    return solid;
+  return make_solid<ConcurrencyTag>(Loop_subdivision(solid.surface)());
 }
 
 } // namespace internal
@@ -183,7 +214,7 @@ Shape_descriptor shape_descriptor(const Triangle_surface& surface,
                                   const Shape_descriptor_options& options = {})
 {
   internal::check(options);
-  internal::Solid solid = internal::make_solid<ConcurrencyTag>(surface);
+  internal::Solid solid = internal::solid_to_describe<ConcurrencyTag>(surface, options);
   Shape_descriptor result;
   result.volume = solid.volume;
   result.reference_length = std::cbrt(solid.volume) / options.scale_divisor;
@@ -201,8 +232,9 @@ Shape_descriptor shape_descriptor(const Triangle_surface& surface,
 
   const internal::Histogram_maker<ConcurrencyTag> histograms(
       inside.region, result.scales, options.compensate ? 1 / inside.coverage : 1, options);
-  result.values = internal::with_scale_space(
-      std::move(solid.surface), options.sample_spacing * voxel_size, options, histograms);
+  result.values =
+      internal::with_scale_space(std::move(solid.surface), result.scales,
+                                 options.sample_spacing * voxel_size, options, histograms);
   result.block_size = options.binning == Binning::PAIRS
                           ? options.bins_of_pair * options.bins_of_pair
                           : options.bins;

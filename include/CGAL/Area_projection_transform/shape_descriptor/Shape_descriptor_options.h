@@ -30,9 +30,12 @@ enum class Binning {
 /// \ingroup PkgAreaProjectionTransformFeatures
 /// \brief the normals along which a surface is projected.
 enum class Descriptor_normals {
-  FACE,         ///< those of the faces
+  FACE,         ///< those of the faces: for clean meshes
   INTERPOLATED, ///< those of the vertices, weighted by angles, interpolated on the faces
-  AVERAGED,     ///< averaged the farther the larger the radius: `Averaged_normals`
+  /// \brief the same of a surface that is smoothed by one step of the subdivision of Loop, where faces are larger than about
+  /// `2s`: for coarse meshes that are noisy or have holes. Finer ones stay as they are.
+  SUBDIVIDED,
+  AVERAGED, ///< averaged the farther the larger the radius, as by `Averaged_normals`: for fine meshes with noise
   SMOOTHED ///< those of a surface that is smoothed the more the larger the radius: `Mean_curvature_flow`
 };
 
@@ -69,7 +72,7 @@ struct Shape_descriptor_options
   /// surface, less if parts of it are missing, which would make the values smaller.
   bool compensate = true;
   /// the spacing of the samples that are projected, in voxels, positive; each triangle has at least one.
-  double sample_spacing = 1;
+  double sample_spacing = 1.5;
 };
 
 /// \cond SKIP_IN_MANUAL

@@ -31,12 +31,26 @@ struct Solid
   double volume = 0; ///< positive
 };
 
-inline double checked_volume(double volume)
+/// \brief refuses a volume that is nothing, or next to nothing for the area around it: a sheet of that area would be cut
+/// into thousands of voxels along each side.
+inline double checked_volume(double volume, double area)
 {
-  if(!(volume > 0) || !std::isfinite(volume))
+  constexpr double least = 1e-7;
+  if(!(volume > least * area * std::sqrt(area)) || !std::isfinite(volume))
     throw std::invalid_argument(
         "surface encloses no volume: must face outward, and have an inside to be described");
   return volume;
+}
+
+/// a lattice around a surface, unless its parts are so far from each other that it would have no end.
+inline Grid_3 checked_grid(const Bbox_3& box, double spacing)
+{
+  constexpr double most_rows = 1 << 24, most_voxels = 1u << 31;
+  const double rows = (box.y_span() / spacing + 2) * (box.z_span() / spacing + 2);
+  if(!(rows < most_rows && rows * (box.x_span() / spacing + 2) < most_voxels))
+    throw std::invalid_argument("surface is too wide for the volume that it encloses: would be cut "
+                                "into more than 2^24 rows or 2^31 voxels");
+  return grid_around(box, spacing);
 }
 
 /// \brief the volume of a surface of which parts are missing: that of its interior on a lattice of a fortieth of the
@@ -45,10 +59,12 @@ template <class ConcurrencyTag>
 double volume_seen(const Triangle_surface& surface)
 {
   const Bbox_3 box = surface.bbox();
-  const auto on_lattice = [&](double spacing) {
-    return checked_volume(interior<ConcurrencyTag>(surface, grid_around(box, spacing)).volume);
-  };
   const double extent = std::max({box.x_span(), box.y_span(), box.z_span()});
+  const double area = surface.total_area();
+  const auto on_lattice = [&](double spacing) {
+    const Grid_3 grid = checked_grid(box, spacing);
+    return checked_volume(interior<ConcurrencyTag>(surface, grid).volume, area);
+  };
   return on_lattice(std::cbrt(on_lattice(extent / 64)) / 40);
 }
 
@@ -58,11 +74,12 @@ Solid make_solid(const Triangle_surface& surface)
   if(surface.empty())
     throw std::invalid_argument("surface has no face with an area");
   const Surface_moments moments = surface_moments(surface);
+  // Of a closed surface this is the volume. Where parts are missing its sign still tells which way the rest faces.
+  const double volume = checked_volume(moments.signed_volume, moments.area);
   Solid solid;
   solid.surface = along_principal_axes(surface, moments.covariance);
   solid.is_closed = is_closed(surface);
-  solid.volume = solid.is_closed ? checked_volume(moments.signed_volume)
-                                 : volume_seen<ConcurrencyTag>(solid.surface);
+  solid.volume = solid.is_closed ? volume : volume_seen<ConcurrencyTag>(solid.surface);
   return solid;
 }
 
@@ -70,7 +87,7 @@ Solid make_solid(const Triangle_surface& surface)
 template <class ConcurrencyTag>
 Interior interior_of(const Solid& solid, double spacing)
 {
-  const Grid_3 grid = grid_around(solid.surface.bbox(), spacing);
+  const Grid_3 grid = checked_grid(solid.surface.bbox(), spacing);
   if(!solid.is_closed)
     return interior<ConcurrencyTag>(solid.surface, grid);
   return {interior_of_closed<ConcurrencyTag>(solid.surface, grid), 1., solid.volume};

@@ -49,6 +49,7 @@ struct Surface_moments
 {
   double signed_volume =
       0; ///< by the theorem of Gauss, if the surface is closed; negative if it faces inward
+  double area = 0;
   Eigen::Matrix3d covariance = Eigen::Matrix3d::Zero(); ///< of its area; up to a factor
 };
 
@@ -81,6 +82,7 @@ inline Surface_moments surface_moments(const Triangle_surface& surface)
                      12);
     }
   }
+  moments.area = extent * extent * sums[1];
   moments.signed_volume = extent * extent * extent * sums[0] / 6;
   for(int a = 0, next = 5; a < 3; ++a)
     for(int b = a; b < 3; ++b, ++next)

@@ -49,6 +49,8 @@ public:
   }
 
   const Row_spans& region() const { return *m_region; }
+  /// the region, for what outlives the map.
+  const std::shared_ptr<const Row_spans>& shared_region() const { return m_region; }
   const Grid_3& grid() const { return m_region->grid(); }
   const std::vector<Scale>& scales() const { return m_scales; }
 

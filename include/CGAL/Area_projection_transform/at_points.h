@@ -28,6 +28,41 @@ struct Query
   Scale scale;
 };
 
+/// \cond SKIP_IN_MANUAL
+namespace internal {
+
+/// \brief asks an evaluator for each query: `result(q, evaluator)`, in parallel for the queries of the same radius.
+///
+/// The evaluators are made one after the other.
+template <class ConcurrencyTag, class MakeEvaluator, class Result>
+void evaluate_by_radius(const std::vector<Query>& queries, MakeEvaluator&& make_evaluator,
+                        Result&& result)
+{
+  for(std::size_t q = 0; q < queries.size(); ++q) {
+    check_positive(queries[q].scale.radius, "radius of query " + std::to_string(q));
+    check_positive(queries[q].scale.sigma, "sigma of query " + std::to_string(q));
+  }
+  std::vector<std::size_t> order(queries.size());
+  std::iota(order.begin(), order.end(), std::size_t(0));
+  std::stable_sort(order.begin(), order.end(), [&](std::size_t a, std::size_t b) {
+    const Scale &s = queries[a].scale, &t = queries[b].scale;
+    return s.radius != t.radius ? s.radius < t.radius : s.sigma < t.sigma;
+  });
+  for(auto begin = order.begin(); begin != order.end();) {
+    const Scale scale = queries[*begin].scale;
+    const auto end = std::find_if(
+        begin, order.end(), [&](std::size_t q) { return queries[q].scale.radius != scale.radius; });
+    const auto evaluator = make_evaluator(scale);
+    for_each_index<ConcurrencyTag>(std::size_t(end - begin), [&](std::size_t i) {
+      result(begin[std::ptrdiff_t(i)], evaluator);
+    });
+    begin = end;
+  }
+}
+
+} // namespace internal
+/// \endcond
+
 /// \ingroup PkgAreaProjectionTransformProjection
 /// \brief evaluates the transform at many places and scales.
 ///
@@ -46,29 +81,11 @@ std::vector<double>
 evaluate_at_points(const std::vector<Query>& queries, MakeEvaluator&& make_evaluator,
                    const std::vector<Nested_ball>& kernel = Ball_kernel_3().nested_balls())
 {
-  for(std::size_t q = 0; q < queries.size(); ++q) {
-    internal::check_positive(queries[q].scale.radius, "radius of query " + std::to_string(q));
-    internal::check_positive(queries[q].scale.sigma, "sigma of query " + std::to_string(q));
-  }
-  std::vector<std::size_t> order(queries.size());
-  std::iota(order.begin(), order.end(), std::size_t(0));
-  std::stable_sort(order.begin(), order.end(), [&](std::size_t a, std::size_t b) {
-    const Scale &s = queries[a].scale, &t = queries[b].scale;
-    return s.radius != t.radius ? s.radius < t.radius : s.sigma < t.sigma;
-  });
-
   std::vector<double> areas(queries.size(), 0.);
-  for(auto begin = order.begin(); begin != order.end();) {
-    const Scale scale = queries[*begin].scale;
-    const auto end = std::find_if(
-        begin, order.end(), [&](std::size_t q) { return queries[q].scale.radius != scale.radius; });
-    const auto evaluator = make_evaluator(scale);
-    internal::for_each_index<ConcurrencyTag>(std::size_t(end - begin), [&](std::size_t i) {
-      const std::size_t q = begin[std::ptrdiff_t(i)];
-      areas[q] = evaluator(queries[q].point, queries[q].scale.sigma, kernel);
-    });
-    begin = end;
-  }
+  internal::evaluate_by_radius<ConcurrencyTag>(
+      queries, make_evaluator, [&](std::size_t q, const auto& evaluator) {
+        areas[q] = evaluator(queries[q].point, queries[q].scale.sigma, kernel);
+      });
   return areas;
 }
 

@@ -95,10 +95,10 @@ void for_each_hessian(const Row_spans& region, const std::vector<float>& map, do
                       const Hessian_function& function)
 {
   AP::internal::for_each_hessian_row<CGAL::Sequential_tag>(
-      region, map, region, s, [&](const AP::internal::Hessian_row& row) {
+      region, map, region, s, [&](const AP::internal::Derivative_row& row, float factor) {
         for(int i = row.first; i < row.last; ++i) {
           const auto d = [&](std::size_t n) {
-            return double(row.derivatives[n][std::size_t(i - row.first)]);
+            return double(factor) * double(row.derivatives[n][std::size_t(i - row.first)]);
           };
           Matrix3d h;
           h << d(0), d(3), d(4), d(3), d(1), d(5), d(4), d(5), d(2);
@@ -118,7 +118,7 @@ TEST(Hessian, of_a_parabola_is_its_own_at_any_scale)
     return 5 + slope.dot(place(v)) + 0.5 * place(v).dot(a * place(v));
   });
   for(const double s : {0.5, 0.8, 1.7, 2.5}) {
-    const int reach = AP::internal::Gaussian_derivatives(s).reach();
+    const int reach = 5 * int(std::ceil(s)) + (s > 2 ? 5 : 0); // of one Gaussian, or of two
     int seen = 0;
     for_each_hessian(*region, map, s, [&](const Voxel& v, const Matrix3d& h) {
       if(*std::min_element(v.begin(), v.end()) < reach ||
@@ -171,13 +171,18 @@ TEST(Hessian, counts_zero_outside_of_the_region)
   const std::vector<float> map = random_map(*ragged, 100, 8);
   const std::vector<float> filled =
       map_of(*whole, [&](const Voxel& v) { return value_at(*ragged, map, v); });
-  for(const double s : {0.5, 1.3}) {
+  const int margin = 8;
+  const Row_spans in_larger_grid = AP::internal::with_margin(*ragged, margin);
+  for(const double s : {0.5, 1.3, 3.5}) {
     std::vector<Matrix3d> expected(whole->storage_size());
     for_each_hessian(*whole, filled, s, [&](const Voxel& v, const Matrix3d& h) {
       expected[whole->index(v[0], v[1], v[2])] = h;
     });
     for_each_hessian(*ragged, map, s, [&](const Voxel& v, const Matrix3d& h) {
       EXPECT_EQ(h, expected[whole->index(v[0], v[1], v[2])]);
+    });
+    for_each_hessian(in_larger_grid, map, s, [&](const Voxel& v, const Matrix3d& h) {
+      EXPECT_EQ(h, expected[whole->index(v[0] - margin, v[1] - margin, v[2] - margin)]);
     });
   }
 }

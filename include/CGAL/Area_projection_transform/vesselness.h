@@ -171,12 +171,21 @@ inline Row_spans voxels_of(const Vesselness_level& level, const Joint_map& map)
   });
 }
 
+/// no vesselness is larger, given the norm of the Hessian: most voxels can do without eigenvalues.
+inline double largest_vesselness(const Covariance_3& h, const Vesselness_options& options)
+{
+  const double squared_norm =
+      h.xx * h.xx + h.yy * h.yy + h.zz * h.zz + 2 * (h.xy * h.xy + h.xz * h.xz + h.yz * h.yz);
+  const double c = options.structure * options.coverage;
+  return 1 - std::exp(-0.5 * squared_norm / (c * c));
+}
+
 /// takes over the vesselness at a voxel if it is more than before.
 inline void improve(Vesselness_map& result, std::size_t voxel, const Covariance_3& hessian,
                     double scale, const Vesselness_options& options)
 {
   // At least two eigenvalues are to be negative, and larger than the other.
-  if(!(hessian.trace() < 0))
+  if(!(hessian.trace() < 0 && largest_vesselness(hessian, options) > result.values[voxel]))
     return;
   const float value = float(frangi_vesselness(eigenvalues_by_magnitude(hessian), options));
   if(!(value > result.values[voxel]))
@@ -221,7 +230,8 @@ Vesselness_map vesselness(const Joint_map& map, const Vesselness_options& option
   for(const internal::Vesselness_level& level : internal::vesselness_levels(map, options)) {
     const Row_spans wanted = internal::voxels_of(level, map);
     internal::for_each_hessian_row<ConcurrencyTag>(
-        map.region(), map.values(), wanted, level.s, [&](const internal::Hessian_row& row) {
+        map.region(), map.values(), wanted, level.s,
+        [&](const internal::Derivative_row& row, float factor) {
           const auto [begin, end] = wanted.runs(wanted.grid().row(row.j, row.k));
           const std::size_t first = map.region().index(begin->first, row.j, row.k);
           for(auto run = begin; run != end; ++run)
@@ -230,7 +240,8 @@ Vesselness_map vesselness(const Joint_map& map, const Vesselness_options& option
               const std::size_t place = std::size_t(i - row.first);
               const Covariance_3 hessian{d[0][place], d[3][place], d[4][place],
                                          d[1][place], d[5][place], d[2][place]};
-              internal::improve(result, first + place, hessian, level.s * voxel_size, options);
+              internal::improve(result, first + place, factor * hessian, level.s * voxel_size,
+                                options);
             }
         });
   }

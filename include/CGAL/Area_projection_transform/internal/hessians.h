@@ -15,6 +15,7 @@
 #include <array>
 #include <cmath>
 #include <cstddef>
+#include <cstdint>
 #include <vector>
 
 namespace CGAL {
@@ -81,43 +82,50 @@ void sum_rows(const Gaussian_derivatives& gaussian, std::size_t order, RowAt&& r
   }
 }
 
-/// the six second derivatives of a stretch of a row.
-struct Hessian_row
+/// the order of the derivative along each axis: `x`, `y`, `z`.
+using Derivative_orders = std::array<std::size_t, 3>;
+
+/// derivatives of a smoothed map along a row, or the smoothed map itself.
+struct Derivative_row
 {
   int first, last; ///< voxels of the row `j`, `k`
   int j, k;
-  /// `xx`, `yy`, `zz`, `xy`, `xz`, `yz`, each from the voxel `first` on
-  std::array<const float*, 6> derivatives;
+  std::vector<const float*> derivatives; ///< each from the voxel `first` on
 };
 
-/// \brief computes second derivatives of a smoothed map, layer by layer, along `z`, `y` and `x`.
+/// \brief convolves a map with a Gaussian or its derivatives, layer by layer, along `z`, `y` and `x`.
 ///
-/// As in `Layer_smoother`, what the region of the map leaves out counts as zero.
-class Layer_hessians
+/// As in `Layer_smoother`, what the region of the map leaves out counts as zero. Derivatives of the same orders along
+/// `z`, and then `y`, share their sums.
+class Layer_derivatives
 {
 public:
   /// \param region of the map
   /// \param wanted where derivatives are asked for: a region of the same grid
-  Layer_hessians(const Row_spans& region, const std::vector<float>& map, const Row_spans& wanted,
-                 const Gaussian_derivatives& gaussian)
+  Layer_derivatives(const Row_spans& region, const std::vector<float>& map, const Row_spans& wanted,
+                    const Gaussian_derivatives& gaussian,
+                    const std::vector<Derivative_orders>& orders)
       : m_region(region)
       , m_map(map)
       , m_wanted(wanted)
       , m_gaussian(gaussian)
+      , m_orders(orders)
       , m_reach(gaussian.reach())
       , m_layers(std::size_t(2 * m_reach + 1), empty_layer())
-      , m_along_z(3, empty_layer())
+      , m_along_y(std::size_t(width() + 2 * m_reach), 0.f)
+      , m_derivatives(orders.size(), std::vector<float>(std::size_t(width())))
       , m_needed(std::size_t(height()))
   {
-    m_along_y.fill(std::vector<float>(std::size_t(width() + 2 * m_reach), 0.f));
-    m_derivatives.fill(std::vector<float>(std::size_t(width())));
+    for(const Derivative_orders& order : orders)
+      while(m_along_z.size() <= order[2])
+        m_along_z.push_back(empty_layer());
   }
 
-  /// hands the rows of the layers `first`, …, `last - 1` to `sink(const Hessian_row&)`.
+  /// hands the rows of the layers `first`, …, `last - 1` to `sink(const Derivative_row&)`.
   template <class Sink>
   void compute(int first, int last, Sink&& sink)
   {
-    int loaded = first - m_reach; // what is below is not in the ring, or not needed
+    int loaded = first - m_reach; // below that, nothing is
     for(int k = first; k < last; ++k) {
       if(!find_needed_places(k))
         continue;
@@ -135,10 +143,6 @@ private:
     int first, last;
     bool is_empty() const { return first >= last; }
   };
-
-  // Of each derivative the orders along `z`, `y`, `x`.
-  static constexpr std::array<std::array<std::size_t, 3>, 6> orders{
-      {{0, 0, 2}, {0, 2, 0}, {2, 0, 0}, {0, 1, 1}, {1, 0, 1}, {1, 1, 0}}};
 
   int width() const { return m_region.grid().size()[0]; }
   int height() const { return m_region.grid().size()[1]; }
@@ -191,7 +195,7 @@ private:
     for(int j = 0; j < height(); ++j) {
       const Places& needed = m_needed[std::size_t(j)];
       if(!needed.is_empty())
-        for(std::size_t order = 0; order < 3; ++order)
+        for(std::size_t order = 0; order < m_along_z.size(); ++order)
           sum_rows(
               m_gaussian, order, [&](int d) { return layer(k + d).row(j); }, needed.first,
               needed.last, m_along_z[order].row(j) + needed.first);
@@ -205,16 +209,17 @@ private:
     if(h.first == h.last)
       return;
     const int first = std::max(h.first - m_reach, 0), last = std::min(h.last + m_reach, width());
-    Hessian_row result{h.first, h.last, j, k, {}};
-    for(std::size_t i = 0; i < orders.size(); ++i) {
-      float* along_y = m_along_y[i].data() + m_reach; // in a margin of zeros
+    float* along_y = m_along_y.data() + m_reach; // in a margin of zeros
+    Derivative_row result{h.first, h.last, j, k, {}};
+    for(std::size_t i = 0; i < m_orders.size(); ++i) {
+      const auto& [x, y, z] = m_orders[i];
+      Padded_layer& along_z = m_along_z[z];
       sum_rows(
-          m_gaussian, orders[i][1], [&](int d) { return m_along_z[orders[i][0]].row(j + d); },
-          first, last, along_y + first);
+          m_gaussian, y, [&](int d) { return along_z.row(j + d); }, first, last, along_y + first);
       sum_rows(
-          m_gaussian, orders[i][2], [&](int d) { return along_y + d; }, h.first, h.last,
+          m_gaussian, x, [&](int d) { return along_y + d; }, h.first, h.last,
           m_derivatives[i].data());
-      result.derivatives[i] = m_derivatives[i].data();
+      result.derivatives.push_back(m_derivatives[i].data());
     }
     sink(result);
   }
@@ -223,27 +228,123 @@ private:
   const std::vector<float>& m_map;
   const Row_spans& m_wanted;
   const Gaussian_derivatives& m_gaussian;
+  const std::vector<Derivative_orders>& m_orders;
   int m_reach;
   std::vector<Padded_layer> m_layers;  // a ring, around the layer at hand
   std::vector<Padded_layer> m_along_z; // by order
-  std::array<std::vector<float>, 6> m_along_y, m_derivatives;
+  std::vector<float> m_along_y;
+  std::vector<std::vector<float>> m_derivatives;
   std::vector<Places> m_needed;
 };
 
-/// \brief hands the second derivatives of a map, smoothed by a Gaussian of `s` voxels and times `s²`, to
-/// `sink(const Hessian_row&)`: one call for each row of `wanted`, for many rows at a time.
-///
-/// The values do not depend on the number of threads.
+/// \brief hands derivatives of a map, smoothed by a Gaussian of `s` voxels and times `s` for each order, to
+/// `sink(const Derivative_row&)`: one call for each row of `wanted`, for many rows at a time.
 template <class ConcurrencyTag, class Sink>
-void for_each_hessian_row(const Row_spans& region, const std::vector<float>& map,
-                          const Row_spans& wanted, double s, Sink&& sink)
+void for_each_derivative_row(const Row_spans& region, const std::vector<float>& map,
+                             const Row_spans& wanted, double s,
+                             const std::vector<Derivative_orders>& orders, Sink&& sink)
 {
   const Gaussian_derivatives gaussian(s);
   const std::size_t layers = std::size_t(region.grid().size()[2]);
   run_workers<ConcurrencyTag>(layers, [&](std::size_t worker, std::size_t workers) {
-    Layer_hessians hessians(region, map, wanted, gaussian);
-    hessians.compute(int(layers * worker / workers), int(layers * (worker + 1) / workers), sink);
+    Layer_derivatives derivatives(region, map, wanted, gaussian, orders);
+    derivatives.compute(int(layers * worker / workers), int(layers * (worker + 1) / workers), sink);
   });
+}
+
+/// \brief the same voxels in a grid with a margin around it. Their order, and so their places in storage, stay.
+inline Row_spans with_margin(const Row_spans& region, int margin)
+{
+  const Grid_3& grid = region.grid();
+  const auto& [nx, ny, nz] = grid.size();
+  const Grid_3 larger(grid.point(-margin, -margin, -margin), grid.spacing(),
+                      {nx + 2 * margin, ny + 2 * margin, nz + 2 * margin});
+  const int rows = ny, layers = nz;
+  return Row_spans(larger, [&, rows, layers](std::size_t row, std::vector<Row_spans::Run>& runs) {
+    const int j = int(row % std::size_t(rows + 2 * margin)) - margin;
+    const int k = int(row / std::size_t(rows + 2 * margin)) - margin;
+    if(j < 0 || j >= rows || k < 0 || k >= layers)
+      return;
+    const auto [begin, end] = region.runs(grid.row(j, k));
+    for(auto run = begin; run != end; ++run)
+      runs.push_back({run->first + margin, run->last + margin});
+  });
+}
+
+/// in each row, one run that covers all voxels which are no farther than `reach` from one of a region along each axis.
+inline Row_spans widened(const Row_spans& region, int reach)
+{
+  const auto& [nx, ny, nz] = region.grid().size();
+  const int width = nx, height = ny, depth = nz;
+  std::vector<Row_spans::Run> along_y(region.number_of_rows(), {width, 0}), all = along_y;
+  const auto cover = [](Row_spans::Run& run, std::int32_t first, std::int32_t last) {
+    if(first < last)
+      run = {std::min(run.first, first), std::max(run.last, last)};
+  };
+  const auto around = [&](int place, int size, auto&& visit) {
+    for(int p = std::max(place - reach, 0); p <= std::min(place + reach, size - 1); ++p)
+      visit(p);
+  };
+  for(int k = 0; k < depth; ++k)
+    for(int j = 0; j < height; ++j)
+      around(j, height, [&](int near) {
+        const Row_spans::Hull& hull = region.hull(region.grid().row(near, k));
+        cover(along_y[region.grid().row(j, k)], hull.first, hull.last);
+      });
+  for(int k = 0; k < depth; ++k)
+    for(int j = 0; j < height; ++j)
+      around(k, depth, [&](int near) {
+        const Row_spans::Run& run = along_y[region.grid().row(j, near)];
+        cover(all[region.grid().row(j, k)], run.first, run.last);
+      });
+  return Row_spans(region.grid(), [&](std::size_t row, std::vector<Row_spans::Run>& runs) {
+    if(all[row].first < all[row].last)
+      runs.push_back({std::max(all[row].first - reach, 0), std::min(all[row].last + reach, width)});
+  });
+}
+
+/// the derivatives of a Hessian: `xx`, `yy`, `zz`, `xy`, `xz`, `yz`.
+inline const std::vector<Derivative_orders>& hessian_orders()
+{
+  static const std::vector<Derivative_orders> orders{{2, 0, 0}, {0, 2, 0}, {0, 0, 2},
+                                                     {1, 1, 0}, {1, 0, 1}, {0, 1, 1}};
+  return orders;
+}
+
+/// \brief hands the second derivatives of a map, smoothed by a Gaussian of `s` voxels and times `s²`, to
+/// `sink(const Derivative_row&, factor)`, by which they are to be multiplied: one call for each row of `wanted`, for many
+/// rows at a time.
+///
+/// A wide Gaussian is that of one voxel after another one, so that the six derivatives take a few weights each. The
+/// values do not depend on the number of threads.
+template <class ConcurrencyTag, class Sink>
+void for_each_hessian_row(const Row_spans& region, const std::vector<float>& map,
+                          const Row_spans& wanted, double s, Sink&& sink)
+{
+  constexpr double narrow = 1;
+  if(s <= 2 * narrow) {
+    for_each_derivative_row<ConcurrencyTag>(region, map, wanted, s, hessian_orders(),
+                                            [&](const Derivative_row& row) { sink(row, 1.f); });
+    return;
+  }
+  // What is smoothed reaches out of the grid.
+  const int margin = Gaussian_derivatives(narrow).reach();
+  const Row_spans inner = with_margin(wanted, margin), around = widened(inner, margin);
+  std::vector<float> smoothed(around.storage_size());
+  for_each_derivative_row<ConcurrencyTag>(
+      with_margin(region, margin), map, around, std::sqrt(s * s - narrow * narrow), {{0, 0, 0}},
+      [&](const Derivative_row& row) {
+        std::copy_n(row.derivatives[0], row.last - row.first,
+                    smoothed.data() + around.index(row.first, row.j, row.k));
+      });
+  for_each_derivative_row<ConcurrencyTag>(around, smoothed, inner, narrow, hessian_orders(),
+                                          [&](Derivative_row row) {
+                                            row.first -= margin;
+                                            row.last -= margin;
+                                            row.j -= margin;
+                                            row.k -= margin;
+                                            sink(row, float(s * s / (narrow * narrow)));
+                                          });
 }
 
 } // namespace internal

@@ -35,6 +35,12 @@ void figure_10(const Options& options, Benchmarks::Report& report);
 /// salient points of scans with holes.
 void figure_11(const Options& options, Benchmarks::Report& report);
 
+/// lines in a hand, and in a body to which an arm is attached.
+void figure_12(const Options& options, Benchmarks::Report& report);
+
+/// lines before and after half of the faces are removed.
+void figure_13(const Options& options, Benchmarks::Report& report);
+
 /// salient points of the same model in two poses.
 void pose_stability(const Options& options, Benchmarks::Report& report);
 

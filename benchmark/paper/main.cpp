@@ -4,8 +4,8 @@
 //
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-// The experiments of the paper: what remains of the maps of damaged surfaces, its salient points, and which round
-// objects are found in scenes whose truth is known.
+// The experiments of the paper: what remains of the maps of damaged surfaces, its salient points and lines, and which
+// round objects are found in scenes whose truth is known.
 // scripts/paper-figures runs them and draws the curves.
 
 #include "figures.h"
@@ -32,6 +32,8 @@ constexpr Figure figures[] = {{"1", Paper::figure_1},
                               {"9", Paper::figure_9},
                               {"10", Paper::figure_10},
                               {"11", Paper::figure_11},
+                              {"12", Paper::figure_12},
+                              {"13", Paper::figure_13},
                               {"poses", Paper::pose_stability},
                               {"curves", Paper::robustness_curves},
                               {"ratios", Paper::smoothing_ratios},
@@ -94,7 +96,7 @@ bool run(Arguments& arguments)
 
 int main(int argc, char** argv)
 {
-  CLI::App app("Measures what remains of the maps of damaged surfaces, and finds salient points.");
+  CLI::App app("Measures what remains of the maps of damaged surfaces, and finds salient points and lines.");
   Arguments arguments;
   declare(app, arguments);
   CLI11_PARSE(app, argc, argv);

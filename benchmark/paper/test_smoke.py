@@ -49,7 +49,7 @@ class Smoke(unittest.TestCase):
     def test_every_figure_has_rows(self):
         groups = [group["name"] for group in self.data["groups"]]
         self.assertEqual(groups, ["figure 1", "figure 4", "figure 7", "figure 8", "figure 9", "figure 10",
-                                  "figure 11", "curves", "ratios", "salient"])
+                                  "figure 11", "figure 12", "figure 13", "curves", "ratios", "salient"])
         self.assertEqual({row["group"] for row in self.data["rows"]}, set(groups))
         for name in groups:
             self.assertIn(f"\n{name}, ", self.output)
@@ -110,6 +110,15 @@ class Smoke(unittest.TestCase):
             self.assertEqual(row["measures"]["within 2 voxels"], 1)
         for row in self.rows("figure 11", "points found again", damage="holes"):
             self.assertGreater(row["measures"]["within R/2"], 0.5)
+
+    def test_lines_follow_an_arm_that_is_attached_to_the_body(self):
+        for row in self.rows("figure 12", "B: attached arm", line="arm"):
+            self.assertGreater(row["measures"]["found"], 0.7, row)
+            self.assertLess(row["measures"]["distance / R"], 0.3, row)
+
+    def test_lines_survive_the_loss_of_half_of_the_faces(self):
+        for row in self.rows("figure 13", "lines found again"):
+            self.assertGreater(row["measures"]["found again"], 0.7, row)
 
     def test_round_objects_are_found(self):
         for row in self.rows("salient", "easy, clean"):

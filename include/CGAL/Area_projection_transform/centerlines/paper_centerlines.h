@@ -132,7 +132,7 @@ void take_directions_of_voters(const Source& surface, Side side, const Joint_map
   std::vector<std::size_t> places;
   for_each_line_voxel(vesselness, threshold, [&](const std::array<int, 3>& v, std::size_t place) {
     const std::uint8_t scale = map.scale_indices()[place];
-    if(scale == Joint_map::no_scale)
+    if(scale == Joint_map::no_scale) // no line goes there
       return;
     queries.push_back({map.grid().point(v[0], v[1], v[2]), map.scales()[scale]});
     places.push_back(place);

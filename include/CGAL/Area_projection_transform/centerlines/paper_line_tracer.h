@@ -33,7 +33,7 @@ namespace Area_projection {
 struct Centerline
 {
   std::vector<Point_3> points;
-  std::vector<double> radii; ///< at the points, in units of length
+  std::vector<double> radii; ///< at the points, in units of length; positive
 
   double length() const
   {
@@ -108,6 +108,8 @@ public:
     if(!(map.grid() == m_region.grid()) || m_region.storage_size() != map.values().size())
       throw std::invalid_argument("vesselness is of another region than map");
     for_each_line_voxel(vesselness, options.threshold, [&](const Voxel& v, std::size_t place) {
+      if(map.scale_indices()[place] == Joint_map::no_scale)
+        return; // all of it comes from its neighbours: there is no radius
       m_seeds.push_back({v, place});
       m_is_free[place] = true;
     });

@@ -368,6 +368,42 @@ TEST(Marching_path, ends_at_the_source_whatever_the_region_and_the_speeds)
   }
 }
 
+TEST(Marching_path, does_not_slip_through_where_voxels_share_an_edge)
+{
+  // Two quadrants that touch in an edge, and a way round from one to the other.
+  const Region region = std::make_shared<const Row_spans>(
+      AP::Grid_3(Point_3(0, 0, 0), 1, std::array<int, 3>{20, 20, 2}));
+  const std::vector<float> speeds = map_of(*region, [](const Voxel& v) {
+    const bool is_quadrant = (v[0] < 10) == (v[1] < 10);
+    return is_quadrant || v[0] == 0 || v[1] >= 18 ? 1. : 0.;
+  });
+  const Travel_times times = AP::fast_marching(region, speeds, {{{5, 5, 0}}});
+  for(const Voxel& target : {Voxel{10, 10, 0}, Voxel{10, 10, 1}, Voxel{12, 11, 1}}) {
+    const Marching_path path = AP::marching_path(times, target);
+    EXPECT_EQ(path.points.front(), Point_3(5, 5, 0));
+    double highest = 0;
+    for(const Point_3& p : path.points)
+      highest = std::max(highest, p.y());
+    EXPECT_GT(highest, 17);
+  }
+}
+
+TEST(Marching_path, goes_straight_along_a_thin_slanted_region)
+{
+  // A staircase of voxels, two wide: the path is to be a line, not stairs.
+  const int n = 30;
+  const Region region = std::make_shared<const Row_spans>(
+      AP::Grid_3(Point_3(0, 0, 0), 1, std::array<int, 3>{n, n, 1}));
+  const std::vector<float> speeds =
+      map_of(*region, [](const Voxel& v) { return v[0] == v[1] || v[0] == v[1] + 1 ? 1. : 0.; });
+  const Marching_path path =
+      AP::marching_path(AP::fast_marching(region, speeds, {{{0, 0, 0}}}), {n - 1, n - 1, 0});
+  double length = 0;
+  for(std::size_t i = 1; i < path.points.size(); ++i)
+    length += distance(path.points[i - 1], path.points[i]);
+  EXPECT_LT(length, 1.05 * std::sqrt(2.) * (n - 1)); // stairs have 1.41
+}
+
 TEST(Marching_path, on_a_line_of_voxels_is_the_line)
 {
   const Region region = std::make_shared<const Row_spans>(

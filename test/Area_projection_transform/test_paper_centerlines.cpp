@@ -316,7 +316,7 @@ TEST(Paper_centerlines, follows_units_and_has_the_same_bits_with_any_number_of_t
       shapes::joined(shapes::torus_arc(5, 1, 2, 40, 20),
                      shapes::translated(shapes::cylinder(20, 0.5, 9, true), {0, 1, 0}));
   Paper_centerline_options options;
-  options.voxel_size = 0.125;
+  options.voxel_size = 0.25;
   options.directions = AP::Line_directions::VOTERS;
   options.tracing.repeat = true;
   const auto surface = shapes::surface_of(blob);
@@ -332,7 +332,7 @@ TEST(Paper_centerlines, follows_units_and_has_the_same_bits_with_any_number_of_t
         EXPECT_EQ(lines[i].radii, expected[i].radii);
       }
     });
-  options.voxel_size = 1024 * 0.125;
+  options.voxel_size = 1024 * 0.25;
   const std::vector<Centerline> scaled = lines_of(shapes::scaled(blob, 1024), options);
   ASSERT_EQ(scaled.size(), expected.size());
   for(std::size_t i = 0; i < scaled.size(); ++i) {

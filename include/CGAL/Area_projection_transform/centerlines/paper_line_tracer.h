@@ -129,11 +129,8 @@ public:
       const std::vector<Member> members = grow(m_seeds[s]);
       Centerline line = line_through(members);
       const bool is_line = is_long_enough(line);
-      if(is_line && m_options.repeat) {
-        for(const Member& m : members)
-          m_is_free[m.place] = true;
-        clear_around(line);
-      }
+      if(is_line && m_options.repeat)
+        free_those_far_from(line, members);
       if(is_line)
         lines.push_back(std::move(line));
     }
@@ -243,24 +240,37 @@ private:
            line.length() * double(line.radii.size()) >= m_options.least_length * sum;
   }
 
-  /// takes the voxels no farther from a line than its radius; at least the nearest to it.
-  void clear_around(const Centerline& line)
+  /// gives those members back that are farther from a line than its radius; not the nearest to it.
+  void free_those_far_from(const Centerline& line, const std::vector<Member>& members)
   {
-    const Grid_3& grid = m_region.grid();
+    const std::vector<std::size_t> near = places_near(line);
+    for(const Member& m : members)
+      m_is_free[m.place] = !std::binary_search(near.begin(), near.end(), m.place);
+  }
+
+  /// the places in storage of the voxels no farther from a line than its radius, in ascending order.
+  std::vector<std::size_t> places_near(const Centerline& line) const
+  {
+    std::vector<bool> are_near(m_region.storage_size(), false);
+    std::vector<std::size_t> places;
     for(std::size_t p = 0; p < line.points.size(); ++p) {
-      const Vector_3 c = grid.lattice_coordinates(line.points[p]);
-      const double reach = std::max(line.radii[p] / grid.spacing(), 1.);
+      const Vector_3 c = m_region.grid().lattice_coordinates(line.points[p]);
+      const double reach = std::max(line.radii[p] / m_region.grid().spacing(), 1.);
       const auto low = [&](int axis) { return int(std::ceil(c[axis] - reach)); };
       const auto high = [&](int axis) { return int(std::floor(c[axis] + reach)); };
       for(int k = low(2); k <= high(2); ++k)
         for(int j = low(1); j <= high(1); ++j)
           for(int i = low(0); i <= high(0); ++i) {
             const std::size_t place = m_region.index(i, j, k);
-            if(place < m_is_free.size() &&
-               (Vector_3(i, j, k) - c).squared_length() <= reach * reach)
-              m_is_free[place] = false;
+            if(place == are_near.size() || are_near[place] ||
+               (Vector_3(i, j, k) - c).squared_length() > reach * reach)
+              continue;
+            are_near[place] = true;
+            places.push_back(place);
           }
     }
+    std::sort(places.begin(), places.end());
+    return places;
   }
 
   const Joint_map& m_map;

@@ -50,8 +50,10 @@ std::vector<std::vector<Cross_section>> tubes_of(const Centerline_graph& graph,
     const bool is_due = tube.empty() || i + 1 == branch.vertices.size() ||
                         CGAL::squared_distance(tube.back().centre, vertex.point) >
                             CGAL::square(step * vertex.radius);
+    // At a node the tangent may be that of another branch, the other way round.
+    const bool is_turned = !tube.empty() && vertex.tangent * tube.back().axis < 0;
     if(is_due)
-      tube.push_back({vertex.point, vertex.tangent, vertex.radius});
+      tube.push_back({vertex.point, is_turned ? -vertex.tangent : vertex.tangent, vertex.radius});
   }
   return tubes;
 }

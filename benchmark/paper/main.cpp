@@ -96,7 +96,8 @@ bool run(Arguments& arguments)
 
 int main(int argc, char** argv)
 {
-  CLI::App app("Measures what remains of the maps of damaged surfaces, and finds salient points and lines.");
+  CLI::App app(
+      "Measures what remains of the maps of damaged surfaces, and finds salient points and lines.");
   Arguments arguments;
   declare(app, arguments);
   CLI11_PARSE(app, argc, argv);

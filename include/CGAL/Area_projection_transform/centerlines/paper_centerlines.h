@@ -161,10 +161,11 @@ void take_directions_of_voters(const Source& surface, Side side, const Joint_map
 ///
 /// The lines are in the order in which their regions were found: that of the largest vesselness of each.
 ///
-/// What is known of it: a region makes one path, so that where the threshold does not part tubes that meet or lie side
-/// by side, some are lost: `Paper_tracing_options::repeat` looks for them. A closed tube becomes half a ring, or two. Paths cut
-/// corners, since the vesselness hardly falls near the axis, turn to a corner of the region at its ends, and end about a
-/// radius before the end of a tube, where the map is that of a ball. Sections of 1 to 2 are no lines.
+/// What is known of it: a region makes one path, so that where the threshold does not part tubes that meet or lie
+/// side by side, some are lost: `Paper_tracing_options::repeat` looks for them. A closed tube becomes half a ring, or
+/// two. Paths cut corners, since the vesselness hardly falls near the axis, turn to a corner of the region at its
+/// ends, and end about a radius before the end of a tube, where the map is that of a ball. Sections of 1 to 2 are no
+/// lines.
 /// \throw std::invalid_argument if an option is out of range, or the two are not of the same region.
 ///
 /// Complexity: `O(n log n)` for `n` voxels above the threshold, and for each region linear in the number of rows of
@@ -182,12 +183,12 @@ inline std::vector<Centerline> paper_centerlines(const Joint_map& map,
 /// Computes the joint map on a lattice, its multiscale vesselness, and the lines in that. The radius of a line is
 /// that of the joint map: raw, so that it is about 85 % of the radius of the tube.
 ///
-/// This is the method as published, for comparison: its lines are off by 1 to 14 % of the radius of a tube. The paper does
-/// not say what a scale, a threshold, continuous or negligible is. The defaults are what found the right number of lines in
-/// twelve shapes (straight and bent tubes, a helix, a fork, tubes that touch, are merged or fused, and others), whole, and with
-/// half of the faces removed and noise. A threshold of 0.2 or 0.35 joins lines that are to stay apart, one of 0.65 ends them
-/// earlier; without the compensation, half of the surface leaves lines in pieces. One scale for each voxel is as good
-/// as all of them, in half of the time. Directions of voters see edges as lines.
+/// This is the method as published, for comparison: its lines are off by 1 to 14 % of the radius of a tube. The paper
+/// does not say what a scale, a threshold, continuous or negligible is. The defaults are what found the right number
+/// of lines in twelve shapes (straight and bent tubes, a helix, a fork, tubes that touch, are merged or fused, and
+/// others), whole, and with half of the faces removed and noise. A threshold of 0.2 or 0.35 joins lines that are to
+/// stay apart, one of 0.65 ends them earlier; without the compensation, half of the surface leaves lines in pieces.
+/// One scale for each voxel is as good as all of them, in half of the time. Directions of voters see edges as lines.
 ///
 /// \tparam ConcurrencyTag `CGAL::Sequential_tag`, `CGAL::Parallel_tag` or
 /// `CGAL::Parallel_if_available_tag`; the results have the same bits for any number of threads

@@ -40,6 +40,11 @@ void figure_12(const Options& options, Benchmarks::Report& report);
 
 /// lines before and after half of the faces are removed.
 void figure_13(const Options& options, Benchmarks::Report& report);
+/// precision over recall of the descriptor in a labelled set.
+void figure_15(const Options& options, Benchmarks::Report& report);
+
+/// retrieval by descriptors in a labelled set, clean and damaged.
+void table_1(const Options& options, Benchmarks::Report& report);
 
 /// salient points of the same model in two poses.
 void pose_stability(const Options& options, Benchmarks::Report& report);

@@ -4,8 +4,8 @@
 //
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-// The experiments of the paper: what remains of the maps of damaged surfaces, its salient points and lines, and which
-// round objects are found in scenes whose truth is known.
+// The experiments of the paper: what remains of the maps of damaged surfaces, its salient points and lines, which round
+// objects are found in scenes whose truth is known, and retrieval by shape descriptors.
 // scripts/paper-figures runs them and draws the curves.
 
 #include "figures.h"
@@ -34,6 +34,8 @@ constexpr Figure figures[] = {{"1", Paper::figure_1},
                               {"11", Paper::figure_11},
                               {"12", Paper::figure_12},
                               {"13", Paper::figure_13},
+                              {"15", Paper::figure_15},
+                              {"table1", Paper::table_1},
                               {"poses", Paper::pose_stability},
                               {"curves", Paper::robustness_curves},
                               {"ratios", Paper::smoothing_ratios},
@@ -65,7 +67,8 @@ void declare(CLI::App& app, Arguments& arguments)
   app.add_option("--json", arguments.json, "the file to write the numbers to");
   app.add_option("--pictures", options.pictures, "the folder to write pictures of maps to");
   app.add_option("--retrieval", options.retrieval,
-                 "the folder of a labelled set of meshes, for pairs of poses")
+                 "the folder of a labelled set of meshes (labels.csv or .cla, meshes/), for "
+                 "retrieval and pairs of poses")
       ->check(CLI::ExistingDirectory);
   app.add_flag("--quick", options.is_quick, "few amounts of damage, coarse: to see that all runs");
   app.add_option("meshes", options.meshes, "meshes instead of the bundled ones")
@@ -97,7 +100,8 @@ bool run(Arguments& arguments)
 int main(int argc, char** argv)
 {
   CLI::App app(
-      "Measures what remains of the maps of damaged surfaces, and finds salient points and lines.");
+      "Measures what remains of the maps of damaged surfaces, finds salient points and lines, and "
+      "retrieves shapes.");
   Arguments arguments;
   declare(app, arguments);
   CLI11_PARSE(app, argc, argv);

@@ -144,18 +144,6 @@ private:
        next.canal.tube.axis.dot(last.tube.axis) < least_cosine || !(ratio < most_change) ||
        !(ratio > 1 / most_change))
       return std::nullopt;
-#ifdef LINE_DEBUG
-    {
-      auto su = Canal_judge(next.canal, m_fit, claims).support();
-      auto& c = next.canal.tube;
-      std::printf("   step (%.2f %.2f %.2f) t(%.2f %.2f %.2f) r %.3f ecc %.2f sl %.2f k %.2f vot "
-                  "%zu dev %.3f cov %.2f iso %.2f within %.2f ahead %.2f clos %.2f claimed %.2f\n",
-                  c.center.x(), c.center.y(), c.center.z(), c.axis.x(), c.axis.y(), c.axis.z(),
-                  next.canal.round_radius(), next.canal.eccentricity(), c.slope,
-                  c.curvature.norm() * c.radius, su.voters, su.deviation, su.coverage, su.isotropy,
-                  su.area_within, su.ahead, su.closing, su.claimed);
-    }
-#endif
     next.support = Canal_judge(next.canal, m_fit, claims).support();
     if(!is_tube(next.canal, next.support, m_smallest_radius, m_largest_radius) ||
        (next.support.ahead < least_ahead &&

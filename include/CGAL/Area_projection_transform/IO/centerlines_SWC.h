@@ -69,7 +69,7 @@ private:
   std::vector<Step> steps_from(std::size_t vertex, std::size_t parent) const
   {
     std::vector<Step> steps;
-    const auto [first, last] = adjacent_vertices(vertex, m_graph);
+    const auto [first, last] = boost::adjacent_vertices(vertex, m_graph);
     bool came = parent == vertex;
     for(auto v = first; v != last; ++v) {
       if(!came && *v == parent)

@@ -35,11 +35,12 @@ namespace internal {
 /// lines, joined if that is wanted, without twigs.
 template <class ConcurrencyTag>
 Draft_graph draft_graph(const Sample_levels& levels, const Line_samples& samples,
-                        const std::vector<Draft_line>& lines, const Centerline_options& options)
+                        const Claims& claims, const std::vector<Draft_line>& lines,
+                        const Centerline_options& options)
 {
   std::vector<Inner_ball> balls;
   if(options.do_join && lines.size() > 1)
-    balls = inner_balls<ConcurrencyTag>(levels, samples);
+    balls = inner_balls<ConcurrencyTag>(levels, samples, claims);
   Draft_graph graph = options.do_join
                           ? Line_joiner<ConcurrencyTag>(lines, Ball_graph(lines, std::move(balls)),
                                                         options.vertex_spacing)
@@ -64,7 +65,8 @@ Centerline_graph centerlines_of(const Line_samples& samples,
   std::vector<Draft_line> lines;
   for(Traced_line& line : finder.find(options.least_length))
     lines.push_back(draft_line<ConcurrencyTag>(levels, std::move(line), options.vertex_spacing));
-  const Draft_graph draft = draft_graph<ConcurrencyTag>(levels, samples, lines, options);
+  const Draft_graph draft =
+      draft_graph<ConcurrencyTag>(levels, samples, finder.claims(), lines, options);
   Graph_finisher finisher(draft);
   std::vector<std::int32_t> branch_of_sample(samples.size(), -1);
   for(std::size_t i = 0; i < samples.size(); ++i)

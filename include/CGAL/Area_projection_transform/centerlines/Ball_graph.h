@@ -160,7 +160,7 @@ private:
   /// drops balls beside larger ones, and those in tubes of which there is a line.
   std::vector<Inner_ball> thinned(std::vector<Inner_ball> balls) const
   {
-    constexpr double beside = 0.2, inside = 0.6, as_large = 1.25;
+    constexpr double beside = 0.2, inside = 0.25, as_large = 1.25;
     std::stable_sort(balls.begin(), balls.end(),
                      [](const Inner_ball& a, const Inner_ball& b) { return a.radius > b.radius; });
     std::vector<Inner_ball> kept;
@@ -181,7 +181,7 @@ private:
 
   void connect()
   {
-    constexpr double reach = 0.9;
+    constexpr double reach = 1;
     std::vector<std::pair<std::uint32_t, std::uint32_t>> edges;
     std::vector<Vector> positions;
     std::vector<double> radii;

@@ -46,29 +46,79 @@ struct Canal
 
     double residual() const { return distance - model; }
 
-    /// the unit normal of the model.
-    Vector normal(double slope) const { return (gradient - slope * shrink * tangent).normalized(); }
+    /// the cosine of the angle between a unit vector and the normal of the model.
+    double cosine(const Vector& n, double slope) const
+    {
+      const double steepness = slope * shrink;
+      return (n.dot(gradient) - steepness * n.dot(tangent)) /
+             std::sqrt(gradient.squaredNorm() + steepness * steepness);
+    }
   };
 
-  Place place(const Vector& p) const
+  /// \brief sees many points: what they share is computed once.
+  ///
+  /// The ellipse goes along the bend with the axis.
+  class View
   {
-    const Tube::Place at = tube.place(p);
-    Place place;
-    place.along = at.along;
-    place.distance = at.distance;
-    place.radial = at.radial;
-    place.tangent = at.tangent;
-    const Vector e = ellipse * at.radial;
-    place.shrink = 1 / std::sqrt(std::max(1 + at.radial.dot(e), least));
-    const double radius = std::max(tube.radius_at(at.along), least * tube.radius);
-    place.model = radius * place.shrink;
-    const Vector around = at.tangent.cross(at.radial);
-    const double by_angle = -place.model * place.shrink * place.shrink * around.dot(e);
-    place.gradient = at.radial;
-    if(at.distance > least * tube.radius)
-      place.gradient -= by_angle / at.distance * around;
-    return place;
-  }
+  public:
+    explicit View(const Canal& canal)
+        : m_center(canal.tube.center)
+        , m_axis(canal.tube.axis)
+        , m_radius(canal.tube.radius)
+        , m_slope(canal.tube.slope)
+        , m_bend(canal.tube.curvature.norm())
+    {
+      if(!(m_bend * m_radius > 1e-9))
+        m_bend = 0;
+      m_inward = m_bend > 0 ? Vector(canal.tube.curvature / m_bend) : m_axis.unitOrthogonal();
+      m_normal = m_axis.cross(m_inward);
+      m_xx = m_inward.dot(canal.ellipse * m_inward);
+      m_xy = m_inward.dot(canal.ellipse * m_normal);
+      m_yy = m_normal.dot(canal.ellipse * m_normal);
+    }
+
+    Place operator()(const Vector& p) const
+    {
+      const Vector u = p - m_center;
+      const double alpha = u.dot(m_axis), beta = u.dot(m_inward), y = u.dot(m_normal);
+      Place place;
+      Vector inward = m_inward;
+      double x = beta;
+      place.along = alpha;
+      place.tangent = m_axis;
+      if(m_bend > 0) {
+        const double a = m_bend * alpha, b = 1 - m_bend * beta, h = std::sqrt(a * a + b * b);
+        const double sine = h > 0 ? a / h : 0, cosine = h > 0 ? b / h : 1;
+        x = (2 * beta - m_bend * (alpha * alpha + beta * beta)) / (1 + h);
+        place.along = std::atan2(a, b) / m_bend;
+        place.tangent = cosine * m_axis + sine * m_inward;
+        inward = cosine * m_inward - sine * m_axis;
+      }
+      place.distance = std::sqrt(x * x + y * y);
+      see_section(place, inward, x, y);
+      return place;
+    }
+
+  private:
+    void see_section(Place& place, const Vector& inward, double x, double y) const
+    {
+      const double inverse = place.distance > 0 ? 1 / place.distance : 0;
+      const double c = x * inverse, s = y * inverse;
+      const double ex = m_xx * c + m_xy * s, ey = m_xy * c + m_yy * s;
+      place.shrink = 1 / std::sqrt(std::max(1 + c * ex + s * ey, least));
+      place.model = std::max(m_radius + m_slope * place.along, least * m_radius) * place.shrink;
+      const double by_angle = -place.model * place.shrink * place.shrink * (c * ey - s * ex);
+      const double turn = place.distance > least * m_radius ? by_angle * inverse : 0;
+      place.radial = c * inward + s * m_normal;
+      place.gradient = (c + turn * s) * inward + (s - turn * c) * m_normal;
+    }
+
+    Vector m_center, m_axis, m_inward, m_normal;
+    double m_radius, m_slope, m_bend;
+    double m_xx, m_xy, m_yy; ///< the ellipse
+  };
+
+  Place place(const Vector& p) const { return View(*this)(p); }
 
   /// the larger eigenvalue of the ellipse: its semi-axes are `r / √(1 ± eccentricity)`.
   double eccentricity() const { return ellipse.norm() / std::sqrt(2.); }

@@ -136,13 +136,13 @@ private:
   /// whether two ends are near each other, and each is ahead of the other or beside that.
   bool do_meet(const End& a, const End& b) const
   {
-    constexpr double near = 1.5, ahead = -0.3, most_gap = 0.6;
+    constexpr double near = 1.5, ahead = -0.3, most_gap = 0.6, most_cosine = 0.3;
     if(a.line == b.line && m_lines[std::size_t(a.line)].vertices.size() < 40)
       return false;
     const Vector way = b.position - a.position;
     const double radii = a.radius + b.radius, least = std::min(a.radius, b.radius);
-    if(way.norm() > near * radii || way.dot(a.direction) < ahead * a.radius ||
-       -way.dot(b.direction) < ahead * b.radius)
+    if(a.direction.dot(b.direction) > most_cosine || way.norm() > near * radii ||
+       way.dot(a.direction) < ahead * a.radius || -way.dot(b.direction) < ahead * b.radius)
       return false;
     const Vector across = a.direction.cross(b.direction);
     const double sine = across.norm();
@@ -171,10 +171,25 @@ private:
     for(std::size_t e = 0; e < m_ends.size(); ++e)
       members[groups.find(e)].push_back(e);
     for(const std::vector<std::size_t>& group : members)
-      if(group.size() == 2)
+      if(group.size() == 2 && !is_line_between(m_ends[group[0]], m_ends[group[1]]))
         continue_line(m_ends[group[0]], m_ends[group[1]]);
       else if(group.size() > 2)
         make_node(group);
+  }
+
+  /// whether another line passes between two ends, to which they are joined then.
+  bool is_line_between(const End& a, const End& b) const
+  {
+    constexpr double near = 0.6;
+    // The middle of the curve that would join them.
+    const Vector middle = 0.5 * (a.position + b.position) +
+                          (b.position - a.position).norm() / 8 * (a.direction + b.direction);
+    for(std::size_t l = 0; l < m_lines.size(); ++l)
+      if(std::int32_t(l) != a.line && std::int32_t(l) != b.line)
+        for(const Centerline_vertex& vertex : m_lines[l].vertices)
+          if((to_eigen(vertex.point) - middle).norm() < near * vertex.radius)
+            return true;
+    return false;
   }
 
   void continue_line(End& a, End& b)

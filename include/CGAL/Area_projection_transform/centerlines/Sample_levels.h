@@ -78,14 +78,6 @@ public:
 
   /// all samples.
   const Level& finest() const { return *m_levels.front(); }
-  /// the finest level with no more than a number of samples, or the coarsest.
-  const Level& with_at_most(std::size_t number) const
-  {
-    for(const auto& level : m_levels)
-      if(level->positions.size() <= number)
-        return *level;
-    return *m_levels.back();
-  }
   bool empty() const { return m_levels.empty(); }
 
 private:

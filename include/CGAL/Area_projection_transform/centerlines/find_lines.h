@@ -126,9 +126,10 @@ private:
   /// follows the seeds of a round; returns whether there was a line.
   bool follow_seeds(const std::vector<std::uint32_t>& batch, double least_length)
   {
+    constexpr double of_failures = 0.5; // one need not try again so near
     const std::size_t before = m_lines.size();
     for(const Candidate& candidate : candidates(batch)) {
-      if(m_claims[candidate.sample] >= 0)
+      if(m_claims[candidate.sample] >= 0 || is_explained(candidate.start.canal.tube))
         continue;
       Traced_line line = m_tracer.trace(candidate.start, m_claims);
       if(line.length() > least_length * line.mean_radius()) {
@@ -136,7 +137,9 @@ private:
         for(const Fitted_canal& point : line.points)
           m_axis.push_back({point.canal.tube.center, point.canal.smallest_semi_axis()});
         m_lines.push_back(std::move(line));
-      }
+      } else
+        m_axis.push_back({candidate.start.canal.tube.center,
+                          of_failures * candidate.start.canal.smallest_semi_axis()});
     }
     return m_lines.size() > before;
   }
@@ -151,12 +154,13 @@ private:
       const double r = canal.tube.radius;
       const double reach = std::hypot(along * r, canal.largest_semi_axis() + tolerance * r);
       const Sample_levels::Level& level = m_levels.finest();
+      const Canal::View view(canal);
       level.cells.for_each_in_ball(canal.tube.center, reach, [&](std::size_t i, double) {
-        const Canal::Place at = canal.place(level.positions[i]);
+        const Canal::Place at = view(level.positions[i]);
         const double misfit = std::abs(at.residual()) / r;
         if(!(std::abs(at.along) < along * r) || !(misfit < tolerance) ||
            !(misfit < m_misfits[level.indices[i]]) ||
-           !(level.normals[i].dot(at.normal(canal.tube.slope)) > least_cosine))
+           !(at.cosine(level.normals[i], canal.tube.slope) > least_cosine))
           return;
         m_misfits[level.indices[i]] = misfit;
         m_claims[level.indices[i]] = number;

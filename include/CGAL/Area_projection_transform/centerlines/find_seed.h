@@ -36,8 +36,8 @@ struct Seed_votes
 
   Seed_votes(const Sample_levels& levels, const Eigen::Vector3d& place, double radius)
   {
-    constexpr double sigma_ratio = 0.3, pi = 3.14159265358979323846;
-    const Sample_levels::Level& level = levels.at(radius);
+    constexpr double sigma_ratio = 0.3, coarseness = 1.5, pi = 3.14159265358979323846;
+    const Sample_levels::Level& level = levels.at(coarseness * radius);
     const double sigma = sigma_ratio * radius;
     // No more than that of a flat face, however large, is near one place.
     const double most_of_face = pi * sigma * sigma;

@@ -42,7 +42,12 @@ struct Canal_neighbours
     const double r = canal.tube.radius;
     const double reach = std::hypot(half_length * r, canal.largest_semi_axis() + 0.4 * r);
     const Sample_levels::Level& level = levels.at(canal.round_radius());
+    // A bend brings places on its outside nearer; and the axis may tilt a little while it is fitted.
+    const double furthest =
+        half_length * (r + 1.5 * canal.tube.curvature.norm() * r * r) + 0.15 * r;
     level.cells.for_each_in_ball(canal.tube.center, reach, [&](std::size_t i, double) {
+      if(std::abs((level.positions[i] - canal.tube.center).dot(canal.tube.axis)) > furthest)
+        return;
       positions.push_back(level.positions[i]);
       normals.push_back(level.normals[i]);
       areas.push_back(level.areas[i]);
@@ -68,7 +73,7 @@ struct Canal_window
     const double e = at.residual() / (tolerance * canal.tube.radius);
     if(!(s * s < 1) || !(e * e < 1))
       return 0;
-    const double cosine = normal.dot(at.normal(canal.tube.slope));
+    const double cosine = at.cosine(normal, canal.tube.slope);
     if(!(cosine > least_cosine))
       return 0;
     const double robust = 1 - e * e;
@@ -139,11 +144,12 @@ private:
   /// how many points of equal weight would tell as much.
   double effective_number(const Canal& canal) const
   {
+    const Canal::View view(canal);
     double sum = 0, squares = 0;
     for(std::size_t i = 0; i < m_neighbours.positions.size(); ++i) {
       if(!(m_neighbours.weights[i] > 0))
         continue;
-      const Canal::Place at = canal.place(m_neighbours.positions[i]);
+      const Canal::Place at = view(m_neighbours.positions[i]);
       const double weight = m_neighbours.weights[i] * m_window(canal, at, m_neighbours.normals[i]);
       sum += weight;
       squares += weight * weight;
@@ -159,11 +165,12 @@ private:
     Canal::Row gradient = Canal::Row::Zero();
     double sum = 0;
     const auto [e1, e2] = canal.across();
+    const Canal::View view(canal);
     for(std::size_t i = 0; i < m_neighbours.positions.size(); ++i) {
       const double fitted = m_neighbours.weights[i];
       if(!(fitted > 0))
         continue;
-      const Canal::Place at = canal.place(m_neighbours.positions[i]);
+      const Canal::Place at = view(m_neighbours.positions[i]);
       const double weight = fitted * m_window(canal, at, m_neighbours.normals[i]);
       if(!(weight > 0))
         continue;

@@ -8,6 +8,7 @@
 #define CGAL_AREA_PROJECTION_TRANSFORM_CENTERLINES_INNER_BALLS_H
 
 #include <CGAL/Area_projection_transform/centerlines/Sample_levels.h>
+#include <CGAL/Area_projection_transform/centerlines/judge_canal.h>
 #include <CGAL/Area_projection_transform/internal/parallel_workers.h>
 
 #include <Eigen/Core>
@@ -15,7 +16,9 @@
 #include <algorithm>
 #include <cmath>
 #include <cstddef>
+#include <cstdint>
 #include <optional>
+#include <utility>
 #include <vector>
 
 namespace CGAL {
@@ -53,16 +56,34 @@ inline std::optional<Inner_ball> inner_ball(const Sample_levels& levels,
   return std::nullopt;
 }
 
-/// \brief inner balls of some thousands of samples, spread over the surface, in the order of the samples.
-template <class ConcurrencyTag>
-std::vector<Inner_ball> inner_balls(const Sample_levels& levels, const Line_samples& samples)
+/// the first of some samples in an order of chance.
+inline void keep_some(std::vector<std::uint32_t>& samples, std::size_t most)
 {
-  const Sample_levels::Level& level = levels.with_at_most(3000);
-  std::vector<std::optional<Inner_ball>> found(level.positions.size());
+  std::sort(samples.begin(), samples.end(), [](std::uint32_t i, std::uint32_t j) {
+    return std::pair(hashed_fraction(i), i) < std::pair(hashed_fraction(j), j);
+  });
+  samples.resize(std::min(samples.size(), most));
+}
+
+/// \brief inner balls of some thousands of samples: as many beside lines as where there is none yet, which may be little of
+/// the surface.
+template <class ConcurrencyTag>
+std::vector<Inner_ball> inner_balls(const Sample_levels& levels, const Line_samples& samples,
+                                    const Claims& claims)
+{
+  constexpr std::size_t most = 4000;
+  std::vector<std::uint32_t> free, claimed;
+  for(std::uint32_t i = 0; i < samples.size(); ++i)
+    if(samples[i].area > 0)
+      (claims[i] < 0 ? free : claimed).push_back(i);
+  keep_some(free, most);
+  keep_some(claimed, most);
+  free.insert(free.end(), claimed.begin(), claimed.end());
+  std::vector<std::optional<Inner_ball>> found(free.size());
   for_each_index<ConcurrencyTag>(found.size(), [&](std::size_t i) {
-    if(level.areas[i] > 0)
-      found[i] = inner_ball(levels, level.positions[i], level.normals[i], samples.smallest_radius(),
-                            samples.largest_radius());
+    const Line_samples::Sample& sample = samples[free[i]];
+    found[i] = inner_ball(levels, sample.position, sample.normal, samples.smallest_radius(),
+                          samples.largest_radius());
   });
   std::vector<Inner_ball> balls;
   for(const std::optional<Inner_ball>& ball : found)

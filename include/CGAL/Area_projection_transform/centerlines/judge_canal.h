@@ -16,6 +16,7 @@
 #include <cmath>
 #include <cstddef>
 #include <cstdint>
+#include <utility>
 #include <vector>
 
 namespace CGAL {
@@ -52,11 +53,12 @@ class Canal_judge
 public:
   /// \param claims may be empty
   Canal_judge(const Canal& canal, const Canal_fit& fit, const Claims& claims)
-      : m_canal(canal), m_claims(claims)
+      : m_canal(canal), m_claims(claims), m_across(canal.across())
   {
     const Canal_neighbours& near = fit.neighbours();
+    const Canal::View view(canal);
     for(std::size_t i = 0; i < near.positions.size(); ++i) {
-      const Canal::Place at = canal.place(near.positions[i]);
+      const Canal::Place at = view(near.positions[i]);
       const double weight = fit.window()(canal, at, near.normals[i]);
       if(weight > 0)
         add_voter(at, near, i, weight);
@@ -107,26 +109,26 @@ private:
     m_last = std::max(m_last, at.along);
     const Eigen::Vector3d& n = near.normals[i];
     const double along = n.dot(at.tangent);
-    m_normal_errors += area * n.cross(at.normal(m_canal.tube.slope)).squaredNorm();
+    const double cosine = at.cosine(n, m_canal.tube.slope);
+    m_normal_errors += area * std::max(1 - cosine * cosine, 0.);
     m_s += area * at.along;
     m_ss += area * at.along * at.along;
     m_n += area * along;
     m_sn += area * at.along * along;
-    const auto [e1, e2] = m_canal.across();
-    const double x = n.dot(e1), y = n.dot(e2);
+    const double x = n.dot(m_across.first), y = n.dot(m_across.second);
     m_xx += area * x * x;
     m_xy += area * x * y;
     m_yy += area * y * y;
-    cover(at, e1, e2, near.areas[i]);
+    cover(at, near.areas[i]);
   }
 
   /// a sample covers as much of the circumference as a square of its area.
-  void cover(const Canal::Place& at, const Eigen::Vector3d& e1, const Eigen::Vector3d& e2,
-             double area)
+  void cover(const Canal::Place& at, double area)
   {
     constexpr double turn = 2 * 3.14159265358979323846;
     const double number = double(m_covered.size());
-    const double middle = std::atan2(at.radial.dot(e2), at.radial.dot(e1)) / turn * number;
+    const double middle =
+        std::atan2(at.radial.dot(m_across.second), at.radial.dot(m_across.first)) / turn * number;
     const double half = 0.5 * std::min(std::sqrt(area) / (at.model * turn), 0.15) * number;
     for(double k = std::floor(middle - half); k <= middle + half; k += 1)
       m_covered.set(std::size_t(k + 2 * number) % m_covered.size());
@@ -134,6 +136,7 @@ private:
 
   const Canal& m_canal;
   const Claims& m_claims;
+  std::pair<Eigen::Vector3d, Eigen::Vector3d> m_across;
   std::bitset<64> m_covered;
   std::size_t m_voters = 0;
   double m_area = 0, m_area_within = 0, m_fitted = 0, m_squares = 0, m_weighed = 0, m_ahead = 0,

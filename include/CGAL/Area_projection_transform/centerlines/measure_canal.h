@@ -121,7 +121,7 @@ inline double radius_error(const Canal& canal, const Canal_neighbours& near,
       continue;
     const double s = at.along / (window.half_length * canal.tube.radius);
     const double prior =
-        near.weights[i] * (1 - s * s) * near.normals[i].dot(at.normal(canal.tube.slope));
+        near.weights[i] * (1 - s * s) * at.cosine(near.normals[i], canal.tube.slope);
     equations.add(at.residual(), canal.derivative(at, e1, e2), prior);
   }
   std::vector<int> all(Canal::size);

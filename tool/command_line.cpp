@@ -187,11 +187,16 @@ void add_thread_option(CLI::App& app, Common_options& options)
 
 void add_reading_options(CLI::App& app, Common_options& options)
 {
-  app.add_flag("--orient", options.reading.orient,
+  add_orientation_options(app, options.reading);
+  add_normals_option(app, options.reading);
+}
+
+void add_orientation_options(CLI::App& app, Reading_options& reading)
+{
+  app.add_flag("--orient", reading.orient,
                "turn faces over until neighbours agree about the outside")
       ->group("Mesh");
-  app.add_flag("--flip", options.reading.flip, "turn all faces (or normals) over")->group("Mesh");
-  add_normals_option(app, options.reading);
+  app.add_flag("--flip", reading.flip, "turn all faces (or normals) over")->group("Mesh");
 }
 
 void add_normals_option(CLI::App& app, Reading_options& reading)

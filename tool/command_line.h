@@ -49,6 +49,7 @@ CLI::Option* add_list_option(CLI::App& app, const std::string& name, std::vector
 void add_console_options(CLI::App& app, Console& console);
 void add_thread_option(CLI::App& app, Common_options& options);
 void add_reading_options(CLI::App& app, Common_options& options);
+void add_orientation_options(CLI::App& app, Reading_options& reading);
 void add_normals_option(CLI::App& app, Reading_options& reading);
 
 /// reads the arguments; returns whether there is anything left to do after them.

@@ -22,6 +22,8 @@ bool run_transform(const std::vector<std::string>& arguments, Console& console);
 bool run_evaluate(const std::vector<std::string>& arguments, Console& console);
 bool run_salient(const std::vector<std::string>& arguments, Console& console);
 bool run_lines(const std::vector<std::string>& arguments, Console& console);
+bool run_describe(const std::vector<std::string>& arguments, Console& console);
+bool run_retrieve(const std::vector<std::string>& arguments, Console& console);
 bool run_info(const std::vector<std::string>& arguments, Console& console);
 
 } // namespace mapt

@@ -38,6 +38,11 @@ void Console::warn(const std::string& text)
     std::cerr << "mapt: warning: " << text << '\n';
 }
 
+void Console::complain(const std::string& text) const
+{
+  std::cerr << "mapt: error: " << text << '\n';
+}
+
 void Console::note(const std::string& text) const
 {
   if(is_verbose && !is_quiet)
@@ -46,16 +51,17 @@ void Console::note(const std::string& text) const
 
 int Console::finish()
 {
-  report["exit_code"] = int(DONE);
+  report["exit_code"] = exit_code;
   return print_report();
 }
 
-int Console::fail(int exit_code, const std::string& text)
+int Console::fail(int code, const std::string& text)
 {
-  std::cerr << "mapt: error: " << text << '\n';
-  report = {{"error", text}, {"exit_code", exit_code}};
+  complain(text);
+  report = {{"error", text}, {"exit_code", code}};
+  exit_code = code;
   print_report();
-  return exit_code;
+  return code;
 }
 
 int Console::print_report()
@@ -64,7 +70,7 @@ int Console::print_report()
   if(is_json)
     std::cout << report.dump(2, ' ', false, nlohmann::json::error_handler_t::replace) << '\n';
   if(std::cout.flush())
-    return DONE;
+    return exit_code;
   std::cerr << "mapt: error: standard output: cannot be written\n";
   return OUTPUT_NOT_WRITTEN;
 }

@@ -25,6 +25,9 @@ public:
   bool is_quiet = false;   // errors only
   bool is_verbose = false; // notes, too
 
+  /// what finish() answers: not DONE if a part of the work could not be done.
+  int exit_code = 0;
+
   /// what --json prints, filled by the commands.
   nlohmann::ordered_json report;
 
@@ -37,13 +40,15 @@ public:
   void line(const std::string& text);
   /// "mapt: warning: text".
   void warn(const std::string& text);
+  /// "mapt: error: text", of an error that does not end the work.
+  void complain(const std::string& text) const;
   /// a line for the curious, on stderr.
   void note(const std::string& text) const;
 
   /// prints what is left to print, and returns the exit code.
   int finish();
   /// says why there is no result, and returns the exit code.
-  int fail(int exit_code, const std::string& text);
+  int fail(int code, const std::string& text);
 
 private:
   int print_report();

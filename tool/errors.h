@@ -8,6 +8,7 @@
 #define MAPT_ERRORS_H
 
 #include <stdexcept>
+#include <string>
 
 namespace mapt {
 
@@ -32,7 +33,9 @@ public:
 class Interruption : public std::runtime_error
 {
 public:
-  Interruption() : std::runtime_error("interrupted: nothing was written") {}
+  explicit Interruption(const std::string& text = "interrupted: nothing was written")
+      : std::runtime_error(text)
+  {}
 };
 
 } // namespace mapt

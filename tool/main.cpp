@@ -35,6 +35,8 @@ const std::vector<Command>& commands()
       {"evaluate", "the same at given points and radii", run_evaluate},
       {"salient", "the centres of spheres and tubes, with radii", run_salient},
       {"lines", "the centrelines of tubes, with radii, joined to a graph", run_lines},
+      {"describe", "a row of numbers for each mesh, by which shapes are compared", run_describe},
+      {"retrieve", "how well such rows tell classes of shapes apart; nearest shapes", run_retrieve},
       {"info", "what is in a mesh or a map, and what is wrong with it", run_info}};
   return all;
 }

@@ -54,8 +54,14 @@ Progress_line::Progress_line(const Console& console, const std::string& task)
 
 Progress_line::~Progress_line()
 {
+  hide();
+}
+
+void Progress_line::hide()
+{
   if(m_percent >= 0)
     std::cerr << "\r\033[K" << std::flush;
+  m_percent = -1;
 }
 
 void Progress_line::show(double fraction)
@@ -65,6 +71,17 @@ void Progress_line::show(double fraction)
     return;
   m_percent = percent;
   std::cerr << '\r' << m_task << "  " << percent << " %\033[K" << std::flush;
+}
+
+void Progress_line::show(double fraction, const std::string& detail)
+{
+  constexpr std::chrono::milliseconds pause(200);
+  const auto now = std::chrono::steady_clock::now();
+  if(!m_is_shown || (m_percent >= 0 && now - m_shown_at < pause))
+    return;
+  m_percent = int(100 * fraction);
+  m_shown_at = now;
+  std::cerr << '\r' << m_task << "  " << m_percent << " %, " << detail << "\033[K" << std::flush;
 }
 
 } // namespace mapt

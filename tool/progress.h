@@ -9,6 +9,7 @@
 
 #include "console.h"
 
+#include <chrono>
 #include <string>
 
 namespace mapt {
@@ -42,11 +43,16 @@ public:
   Progress_line& operator=(const Progress_line&) = delete;
 
   void show(double fraction);
+  /// shows more than a percentage, some times in a second.
+  void show(double fraction, const std::string& detail);
+  /// makes room for other lines, until it is shown again.
+  void hide();
 
 private:
   bool m_is_shown;
   std::string m_task;
-  int m_percent = -1;
+  int m_percent = -1; // that is shown
+  std::chrono::steady_clock::time_point m_shown_at;
 };
 
 } // namespace mapt

@@ -92,6 +92,24 @@ std::string list_to_text(const std::vector<double>& values)
   return text;
 }
 
+std::string time_to_text(double seconds)
+{
+  const auto all = (long long)(std::min(seconds, 1e15) + 0.5);
+  const long long days = all / 86400, hours = all / 3600 % 24, minutes = all / 60 % 60;
+  if(days > 0)
+    return std::to_string(days) + " d " + std::to_string(hours) + " h";
+  if(hours > 0)
+    return std::to_string(hours) + " h " + std::to_string(minutes) + " min";
+  return (minutes > 0 ? std::to_string(minutes) + " min " : "") + std::to_string(all % 60) + " s";
+}
+
+std::string printable(std::string text)
+{
+  std::replace_if(
+      text.begin(), text.end(), [](unsigned char c) { return c < 0x20 || c == 0x7f; }, '?');
+  return text;
+}
+
 std::string nearest_word(const std::string& word, const std::vector<std::string>& candidates)
 {
   std::string nearest;

@@ -27,6 +27,12 @@ std::string counted(std::size_t number, const std::string& one, const std::strin
 /// "1 2 3", with ` … ` in the middle of long lists.
 std::string list_to_text(const std::vector<double>& values);
 
+/// a duration for a reader: "12 s", "3 min 20 s", "2 h 5 min".
+std::string time_to_text(double seconds);
+
+/// a text with nothing in it that would end a line: such characters become question marks.
+std::string printable(std::string text);
+
 /// the candidate that is most like `word`, or nothing if none is like it.
 std::string nearest_word(const std::string& word, const std::vector<std::string>& candidates);
 

@@ -13,7 +13,7 @@ from mapt_test import Test, SHELF, WRONG_USAGE, run
 
 class Usage(Test):
     def test_help(self):
-        for command in ("", "transform", "evaluate", "salient", "info"):
+        for command in ("", "transform", "evaluate", "salient", "describe", "retrieve", "info"):
             result = self.succeed(*command.split(), "--help")
             self.assertIn("sage: mapt", result.stdout)
             self.assertLessEqual(max(map(len, result.stdout.splitlines())), 80)
@@ -22,7 +22,7 @@ class Usage(Test):
         self.assertIn("(default: 0.5)", self.succeed("transform", "--help").stdout)
 
     def test_version(self):
-        for command in ("", "transform", "evaluate", "salient", "info"):
+        for command in ("", "transform", "evaluate", "salient", "describe", "retrieve", "info"):
             self.assertRegex(self.succeed(*command.split(), "--version").stdout,
                              r"^mapt \d+\.\d+\.\d+\n$")
 

@@ -100,7 +100,8 @@ Describe_ranks::~Describe_ranks()
     receive(MPI_ANY_SOURCE, worker);
     send("", worker);
   }
-  if(m_is_running)
+  // A signal went to all: mpirun is ending them, and there is no one to take leave of.
+  if(m_is_running && !Signal_watch::is_interrupted())
     MPI_Finalize();
 }
 

@@ -102,20 +102,23 @@ class Ranks(Test):
                              1 if code == 0 else 0)
 
     def killed(self, files, rank):
-        """Ends a rank after some meshes; returns how many are in the journal then."""
+        """Ends a rank, or all (None), after some meshes; returns how many are in the journal then."""
         command = subprocess.Popen(command_line(3, *files, "-o", self.output), env=ENVIRONMENT,
                                    stdout=subprocess.DEVNULL, stderr=subprocess.DEVNULL)
         while not self.journal.exists() or self.journal.read_bytes().count(b"\n") < 6:
             self.assertIsNone(command.poll())
             time.sleep(0.002)
-        os.kill(process_of(command.pid, rank), signal.SIGKILL)
+        if rank is None:
+            command.send_signal(signal.SIGINT)
+        else:
+            os.kill(process_of(command.pid, rank), signal.SIGKILL)
         self.assertNotEqual(command.wait(timeout=60), 0)
         return self.journal.read_bytes().count(b"\n") - 1
 
     def test_death_loses_nothing(self):
         files = self.corpus(120)
         expected = self.expected(files)
-        for rank in (1, 0):
+        for rank in (1, 0, None):
             done = self.killed(files, rank)
             report = json.loads(run_ranks(3, *files, "-o", self.output, "--json").stdout)
             self.assertGreaterEqual(report["counts"]["resumed"], done - 1) # the last may be torn

@@ -55,8 +55,23 @@ void send(const std::string& text, std::size_t rank)
   MPI_Send(text.data(), int(text.size()), MPI_CHAR, int(rank), tag, MPI_COMM_WORLD);
 }
 
+bool has_come_from(int rank)
+{
+  int has_come = 0;
+  MPI_Iprobe(rank, tag, MPI_COMM_WORLD, &has_come, MPI_STATUS_IGNORE);
+  return has_come != 0;
+}
+
+// Waiting within MPI would keep a processor busy.
+void wait_a_little()
+{
+  std::this_thread::sleep_for(std::chrono::microseconds(200));
+}
+
 std::string receive(int rank, std::size_t& sender)
 {
+  while(!has_come_from(rank))
+    wait_a_little();
   MPI_Status status;
   int length = 0;
   MPI_Probe(rank, tag, MPI_COMM_WORLD, &status);
@@ -122,9 +137,7 @@ void Describe_ranks::serve(const std::vector<std::string>& arguments) const
 // Takes what a worker has to tell, if one has, and gives it another file; returns whether one had.
 bool Describe_ranks::answer_one(Describe_queue& queue)
 {
-  int has_come = 0;
-  MPI_Iprobe(MPI_ANY_SOURCE, tag, MPI_COMM_WORLD, &has_come, MPI_STATUS_IGNORE);
-  if(!has_come)
+  if(!has_come_from(MPI_ANY_SOURCE))
     return false;
   std::size_t worker = 0;
   const std::string line = receive(MPI_ANY_SOURCE, worker);
@@ -157,10 +170,9 @@ void Describe_ranks::describe_all(Describe_queue& queue, const Describe_options&
       error = std::current_exception();
     }
   });
-  // Waiting within MPI would keep a processor busy.
   while(m_workers > 0)
     if(!answer_one(queue))
-      std::this_thread::sleep_for(std::chrono::microseconds(200));
+      wait_a_little();
   own_work.join();
   for(const std::exception_ptr& e : {error, m_error})
     if(e)

@@ -22,6 +22,8 @@ import unittest
 from mapt_test import (INTERRUPTED, MAPT, OUTPUT_NOT_WRITTEN, SHELF, UNUSABLE_INPUT, WRONG_USAGE,
                        Test, icosphere, off, run)
 
+SLOW = ("--normals", "smoothed") # so that there is time to stop or kill it
+
 
 def ellipsoid(subdivisions, axes):
     points, faces = icosphere(subdivisions)
@@ -243,13 +245,13 @@ class Resumption(Corpus):
         return bytes_
 
     def test_killed_again_and_again(self):
-        files = self.corpus(30, subdivisions=3)
-        expected = self.reference(files)
+        files = self.corpus(16, subdivisions=3)
+        expected = self.reference(files, *SLOW)
         generator = random.Random(7)
         kills = 0
         while not self.output.exists():
-            command = self.start(*files, "-j", generator.choice([1, 2, 3]))
-            self.wait_for(self.finished() + generator.randint(1, 6), command)
+            command = self.start(*files, *SLOW, "-j", generator.choice([1, 2, 3]))
+            self.wait_for(self.finished() + generator.randint(1, 3), command)
             time.sleep(generator.uniform(0, 0.01))
             command.send_signal(signal.SIGKILL)
             command.communicate(timeout=60)
@@ -257,7 +259,7 @@ class Resumption(Corpus):
             self.assertLess(kills, 100)
         self.assertGreater(kills, 3)
         if self.journal.exists(): # killed after the last byte, before the journal was removed
-            self.describe(*files)
+            self.describe(*files, *SLOW)
         self.assertEqual(self.output.read_bytes(), expected)
         self.assertFalse(self.journal.exists())
 
@@ -322,10 +324,10 @@ class Resumption(Corpus):
                        "-o", self.output)
 
     def test_two_at_once_are_refused(self):
-        files = self.corpus(40, subdivisions=3)
-        command = self.start(*files, "-j", 1)
+        files = self.corpus(10, subdivisions=3)
+        command = self.start(*files, *SLOW, "-j", 1)
         self.wait_for(1, command)
-        result = run("describe", *files, "-o", self.output)
+        result = run("describe", *files, *SLOW, "-o", self.output)
         self.assertIsNone(command.poll())
         command.kill()
         command.communicate()

@@ -87,7 +87,7 @@ bool run_describe(const std::vector<std::string>& arguments, Console& console)
   Stopwatch watch;
   std::vector<std::string> files = list_files(options.meshes, options.list);
   std::optional<Describe_journal> journal;
-  if(!options.is_to_stdout())
+  if(options.has_journal())
     journal.emplace(options.output + ".partial", options);
   Describe_queue queue(std::move(files), journal ? &*journal : nullptr, console);
   report_parameters(options, ranks.number(), console);

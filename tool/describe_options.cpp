@@ -9,7 +9,7 @@
 #include "errors.h"
 #include "text.h"
 
-#include <cmath>
+#include <filesystem>
 #include <map>
 #include <stdexcept>
 
@@ -102,6 +102,13 @@ void check(const AP::Shape_descriptor_options& descriptor)
 }
 
 } // namespace
+
+bool Describe_options::has_journal() const
+{
+  std::error_code ignored; // of a file that does not exist
+  return !is_to_stdout() && (!std::filesystem::exists(output, ignored) ||
+                             std::filesystem::is_regular_file(output, ignored));
+}
 
 std::size_t Describe_options::dimension() const
 {

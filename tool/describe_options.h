@@ -29,6 +29,8 @@ struct Describe_options
   Common_options common;
 
   bool is_to_stdout() const { return output.empty() || output == "-"; }
+  /// whether what is finished can be kept beside the output: that of a pipe or a device cannot.
+  bool has_journal() const;
   /// how many numbers there are in a row, and how many of them belong together.
   std::size_t dimension() const;
   std::size_t block_size() const;

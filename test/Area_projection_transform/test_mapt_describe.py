@@ -334,6 +334,14 @@ class Resumption(Corpus):
         self.assertEqual(result.returncode, WRONG_USAGE)
         self.assertIn("another mapt describe is writing it", result.stderr)
 
+    def test_pipes_have_no_journal(self):
+        pipe = self.path / "pipe"
+        os.mkfifo(pipe)
+        command = subprocess.Popen([MAPT, "describe", self.sphere, "-o", pipe, "-q"])
+        self.assertEqual(len(pipe.read_text(encoding="utf-8").splitlines()), 2)
+        self.assertEqual(command.wait(timeout=60), 0)
+        self.assertEqual(list(self.path.glob("*.partial")), [])
+
     def test_failures_are_tried_again(self):
         files = self.corpus(30, subdivisions=3)
         good = files[0].read_bytes()

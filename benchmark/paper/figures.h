@@ -58,6 +58,9 @@ void smoothing_ratios(const Options& options, Benchmarks::Report& report);
 /// spheres and tubes found in scenes, beside what Efficient RANSAC finds there.
 void salient_comparison(const Options& options, Benchmarks::Report& report);
 
+/// centrelines of tubes whose axes are known, beside CGAL's skeletons.
+void centerline_comparison(const Options& options, Benchmarks::Report& report);
+
 } // namespace Paper
 
 #endif // AREA_PROJECTION_PAPER_FIGURES_H

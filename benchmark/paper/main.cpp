@@ -39,7 +39,8 @@ constexpr Figure figures[] = {{"1", Paper::figure_1},
                               {"poses", Paper::pose_stability},
                               {"curves", Paper::robustness_curves},
                               {"ratios", Paper::smoothing_ratios},
-                              {"salient", Paper::salient_comparison}};
+                              {"salient", Paper::salient_comparison},
+                              {"lines", Paper::centerline_comparison}};
 
 struct Arguments
 {

@@ -49,7 +49,8 @@ class Smoke(unittest.TestCase):
     def test_every_figure_has_rows(self):
         groups = [group["name"] for group in self.data["groups"]]
         self.assertEqual(groups, ["figure 1", "figure 4", "figure 7", "figure 8", "figure 9", "figure 10",
-                                  "figure 11", "figure 12", "figure 13", "curves", "ratios", "salient"])
+                                  "figure 11", "figure 12", "figure 13", "curves", "ratios", "salient",
+                                  "lines"])
         self.assertEqual({row["group"] for row in self.data["rows"]}, set(groups))
         for name in groups:
             self.assertIn(f"\n{name}, ", self.output)

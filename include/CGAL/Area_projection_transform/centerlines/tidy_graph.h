@@ -59,7 +59,9 @@ inline void extend_ends(Draft_graph& graph, const std::vector<Draft_line>& lines
 }
 
 /// \brief drops branches with a free end that are short, the shortest first: twigs, and whole lines.
-/// \param least_length in units of their mean radius
+///
+/// A twig counts from the ball around the node in which it begins: what is in that belongs to the others.
+/// \param least_length in units of their mean radius, or that of the node if it is larger
 inline void prune_twigs(Draft_graph& graph, double least_length)
 {
   using Chain = std::vector<Draft_graph::Index>;
@@ -70,7 +72,9 @@ inline void prune_twigs(Draft_graph& graph, double least_length)
       if(graph.degree(v) != 1)
         continue;
       const Chain chain = graph.chain(v, graph.neighbours[v].front());
-      const double length = graph.length(chain) / graph.mean_radius(chain);
+      const double at_node =
+          graph.degree(chain.back()) > 2 ? graph.vertices[chain.back()].radius : 0;
+      const double length = graph.length(chain) / std::max(graph.mean_radius(chain), at_node);
       if(length < least) {
         least = length;
         shortest = chain;

@@ -106,7 +106,8 @@ class Ranks(Test):
                              1 if code == 0 else 0)
 
     def killed(self, files, rank):
-        """Ends a rank, or all (None), after some meshes; returns how many are in the journal then."""
+        """Ends a rank, or all (None), after some meshes; returns how many are in the journal then, or
+        None: the others were faster than the launcher, which ends them, and have finished."""
         command = subprocess.Popen(command_line(3, *files, *SLOW, "-o", self.output), env=ENVIRONMENT,
                                    stdout=subprocess.DEVNULL, stderr=subprocess.DEVNULL)
         while not self.journal.exists() or self.journal.read_bytes().count(b"\n") < 6:
@@ -117,15 +118,16 @@ class Ranks(Test):
         else:
             os.kill(process_of(command.pid, rank), signal.SIGKILL)
         self.assertNotEqual(command.wait(timeout=60), 0)
-        return self.journal.read_bytes().count(b"\n") - 1
+        return self.journal.read_bytes().count(b"\n") - 1 if self.journal.exists() else None
 
     def test_death_loses_nothing(self):
-        files = self.corpus(24)
+        files = self.corpus(60)
         expected = self.expected(files, *SLOW)
         for rank in (1, 0, None):
             done = self.killed(files, rank)
-            report = json.loads(run_ranks(3, *files, *SLOW, "-o", self.output, "--json").stdout)
-            self.assertGreaterEqual(report["counts"]["resumed"], done - 1) # the last may be torn
+            if done is not None:
+                report = json.loads(run_ranks(3, *files, *SLOW, "-o", self.output, "--json").stdout)
+                self.assertGreaterEqual(report["counts"]["resumed"], done - 1) # the last may be torn
             self.assertEqual(self.output.read_bytes(), expected)
             self.output.unlink()
 

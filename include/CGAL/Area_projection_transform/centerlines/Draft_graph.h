@@ -99,8 +99,7 @@ struct Draft_graph
       disconnect(chain[i - 1], chain[i]);
   }
 
-  /// \brief joins two vertices by a smooth curve that has their tangents, which point along it.
-  /// \return the vertices in between
+  /// joins two vertices by a smooth curve that has these tangents, which point along it.
   void add_curve(Index a, const Vector_3& tangent_a, Index b, const Vector_3& tangent_b,
                  double vertex_spacing)
   {

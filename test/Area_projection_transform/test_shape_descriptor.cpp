@@ -362,6 +362,11 @@ TEST(Shape_descriptor, surfaces_without_an_inside_are_refused)
   expect_refused(far, "too wide");
 }
 
+TEST(Shape_descriptor, points_are_refused)
+{
+  EXPECT_THROW(AP::shape_descriptor(AP::Surfels()), std::invalid_argument);
+}
+
 TEST(Enclosed_volume, of_closed_and_of_open_surfaces)
 {
   const Soup soup = long_blob();

@@ -8,6 +8,7 @@
 #define CGAL_AREA_PROJECTION_TRANSFORM_SHAPE_DESCRIPTOR_H
 
 #include <CGAL/Area_projection_transform/Side.h>
+#include <CGAL/Area_projection_transform/Surfels.h>
 #include <CGAL/Area_projection_transform/Triangle_surface.h>
 #include <CGAL/Area_projection_transform/internal/Kept_maps.h>
 #include <CGAL/Area_projection_transform/multiscale.h>
@@ -255,6 +256,18 @@ Shape_descriptor shape_descriptor(const TriangleMesh& mesh,
                                   const NamedParameters& np = CGAL::parameters::default_values())
 {
   return shape_descriptor<ConcurrencyTag>(surface_from_mesh(mesh, np), options);
+}
+
+/// \ingroup PkgAreaProjectionTransformFeatures
+/// \brief refuses points: without faces there is no inside whose voxels could be counted, and no volume. Make a mesh of
+/// them first.
+/// \throw std::invalid_argument always
+template <class ConcurrencyTag = CGAL::Sequential_tag>
+Shape_descriptor shape_descriptor(const Surfels& /* points */,
+                                  const Shape_descriptor_options& /* options */ = {})
+{
+  throw std::invalid_argument("points have no faces, and so no inside to be described: must be "
+                              "made a mesh first");
 }
 
 } // namespace Area_projection

@@ -21,8 +21,11 @@
 
 #include <gtest/gtest.h>
 
+#include <atomic>
 #include <memory>
 #include <set>
+#include <thread>
+#include <vector>
 
 #ifdef CGAL_LINKED_WITH_TBB
 #include <tbb/global_control.h>
@@ -220,6 +223,40 @@ struct Counting_visitor : AP::Multiscale_default_visitor
     areas_outside[index] = area_outside;
   }
 };
+
+/// notices calls at the same time that concern the same scale.
+class Overlap_sink
+{
+public:
+  explicit Overlap_sink(std::size_t scales) : m_calls(scales) {}
+
+  void consume(std::size_t scale, const AP::Scale&, std::size_t, const float*, std::size_t)
+  {
+    if(m_calls[scale]++ > 0)
+      m_has_overlap = true;
+    std::this_thread::yield();
+    --m_calls[scale];
+  }
+
+  bool has_overlap() const { return m_has_overlap; }
+
+private:
+  std::vector<std::atomic<int>> m_calls;
+  std::atomic<bool> m_has_overlap{false};
+};
+
+TEST(Project_scales, calls_for_a_scale_come_one_after_the_other_however_many_threads_share_it)
+{
+  const Setting setting(shapes::icosphere(3), 0.05);
+  const std::vector<AP::Scale> one = {setting.scales[2]};
+  Overlap_sink sink(1);
+  with_threads(4, [&] {
+    AP::project_scales<CGAL::Parallel_if_available_tag>(
+        setting.surface, *setting.region, one, Side::INSIDE,
+        [](const AP::Row_spans& part) { return AP::Grid_projector(part); }, sink);
+  });
+  EXPECT_FALSE(sink.has_overlap());
+}
 
 TEST(Progress, the_visitor_is_told_once_of_the_beginning_and_end_of_each_scale)
 {

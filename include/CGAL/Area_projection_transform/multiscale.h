@@ -90,11 +90,14 @@ std::size_t number_of_parts(std::size_t scales)
 /// \brief hands the rows of a part of one scale to the sink, layer by layer, beginning with the `start`-th
 /// of the part.
 ///
-/// A layer is locked while its rows are handed over, so that sinks need no locks of their own.
+/// A layer is locked while its rows are handed over, and a scale of several parts while a row is, so that sinks
+/// need no locks of their own.
+/// \param lock_of_scale null if no other thread has a part of the scale
 template <class Projector, class Sink, class Cancelled>
 void deliver(Projector& projector, const Row_spans& region, const Region_part& part,
              std::size_t index, const Scale& scale, std::size_t start,
-             std::vector<std::mutex>& layers, Sink& sink, Cancelled&& cancelled)
+             std::vector<std::mutex>& layers, std::mutex* lock_of_scale, Sink& sink,
+             Cancelled&& cancelled)
 {
   const std::size_t rows_of_layer = std::size_t(region.grid().size()[1]);
   const std::size_t layers_of_part = std::size_t(part.last_layer - part.first_layer);
@@ -110,6 +113,9 @@ void deliver(Projector& projector, const Row_spans& region, const Region_part& p
       projector.take_row(row, values.data());
       for(std::int32_t i = 0; i < hull.last - hull.first; ++i)
         values[std::size_t(i)] *= normalization;
+      std::unique_lock<std::mutex> scale_lock;
+      if(lock_of_scale)
+        scale_lock = std::unique_lock<std::mutex>(*lock_of_scale);
       const auto [begin, end] = region.runs(row);
       for(auto run = begin; run != end; ++run) {
         const std::size_t skipped = std::size_t(run->first - hull.first);
@@ -176,6 +182,7 @@ Multiscale_summary project_scales(const ScaleSpace& surface, const Row_spans& re
   Multiscale_summary summary;
   summary.areas_outside.assign(scales.size(), 0.);
   std::vector<std::mutex> layers(std::size_t(region.grid().size()[2]));
+  std::vector<std::mutex> locks_of_scales(parts.size() > 1 ? scales.size() : 0);
   std::vector<std::atomic<std::size_t>> next(parts.size());
 
   const auto compute_part = [&](std::size_t p, std::size_t worker, std::size_t workers) {
@@ -190,7 +197,8 @@ Multiscale_summary project_scales(const ScaleSpace& surface, const Row_spans& re
       if(part.is_first)
         summary.areas_outside[index] = area_outside;
       progress.step();
-      deliver(projector, region, part, index, scales[index], start, layers, sink, cancelled);
+      deliver(projector, region, part, index, scales[index], start, layers,
+              locks_of_scales.empty() ? nullptr : &locks_of_scales[index], sink, cancelled);
       if(!progress.was_cancelled())
         progress.part_ends(index, scales[index], summary.areas_outside[index]);
       progress.step();

@@ -1,0 +1,138 @@
+// Copyright (c) 2026 The Area Projection Transform authors.
+//
+// This file is part of the Area_projection_transform package.
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#ifndef CGAL_AREA_PROJECTION_TRANSFORM_MEDIAL_BALLS_MEDIAL_SAMPLES_H
+#define CGAL_AREA_PROJECTION_TRANSFORM_MEDIAL_BALLS_MEDIAL_SAMPLES_H
+
+#include <CGAL/Area_projection_transform/Surfels.h>
+#include <CGAL/Area_projection_transform/Triangle_surface.h>
+#include <CGAL/Area_projection_transform/internal/eigen_vectors.h>
+#include <CGAL/Area_projection_transform/medial_balls/Medial_ball.h>
+#include <CGAL/Area_projection_transform/medial_balls/crease_normals.h>
+
+#include <Eigen/Core>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <cstddef>
+#include <cstdint>
+#include <stdexcept>
+#include <string>
+#include <vector>
+
+namespace CGAL {
+namespace Area_projection {
+namespace internal {
+
+/// \brief the samples of a surface that have medial balls: positions, areas, and smooth normals that point away from the
+/// side on which the balls lie.
+struct Medial_samples
+{
+  using Vector = Eigen::Vector3d;
+
+  std::vector<Vector> positions, normals;
+  std::vector<double> areas;
+  std::vector<std::uint32_t> sources;
+
+  Medial_samples(const Triangle_surface& surface, const Medial_ball_options& options);
+  Medial_samples(const Surfels& surfels, const Medial_ball_options& options);
+
+  std::size_t size() const { return positions.size(); }
+
+  /// half of the diagonal of the bounding box: no ball within the surface is larger.
+  double largest_radius() const
+  {
+    if(positions.empty())
+      return 0;
+    Vector low = positions.front(), high = low;
+    for(const Vector& p : positions) {
+      low = low.cwiseMin(p);
+      high = high.cwiseMax(p);
+    }
+    return 0.5 * (high - low).norm();
+  }
+
+private:
+  void push_back(const Vector& position, const Vector& normal, double area, std::uint32_t source)
+  {
+    positions.push_back(position);
+    normals.push_back(normal);
+    areas.push_back(area);
+    sources.push_back(source);
+  }
+};
+
+/// \brief the spacing at which a surface is sampled: that of its faces, but for those that are much larger than others.
+inline double medial_spacing(const Triangle_surface& surface)
+{
+  const double number = std::max(double(surface.size()), 8000.);
+  double spacing = 1.5 * std::sqrt(surface.total_area() / number);
+  const auto number_of_samples = [&surface](double s) {
+    double sum = 0;
+    for(std::size_t t = 0; t < surface.size(); ++t) {
+      double longest = 0;
+      for(int i = 0; i < 3; ++i)
+        longest = std::max(longest,
+                           squared_distance(surface.corner(t, i), surface.corner(t, (i + 1) % 3)));
+      sum += 1 + 2 * surface.areas[t] / (s * s) + 3 * std::sqrt(longest) / s;
+    }
+    return sum;
+  };
+  // Needles take more pieces than their area tells.
+  while(std::isnormal(spacing) && number_of_samples(spacing) > 12 * number)
+    spacing *= 1.3;
+  return spacing;
+}
+
+inline Medial_samples::Medial_samples(const Triangle_surface& surface,
+                                      const Medial_ball_options& options)
+{
+  const double spacing = options.spacing ? *options.spacing : medial_spacing(surface);
+  if(!std::isnormal(spacing)) // nothing there
+    return;
+  const double sign = options.side == Side::INSIDE ? 1 : -1;
+  const Crease_normals normals_of(surface, options.crease_angle);
+  for(std::size_t t = 0; t < surface.size(); ++t) {
+    const Vector a = to_eigen(surface.corner(t, 0)), b = to_eigen(surface.corner(t, 1)),
+                 c = to_eigen(surface.corner(t, 2));
+    const std::array<Vector, 3> corner = normals_of(t);
+    const auto sample = [&](const Triangle_piece& piece) {
+      const std::array<double, 3> w = piece.centroid();
+      const Vector normal = w[0] * corner[0] + w[1] * corner[1] + w[2] * corner[2];
+      const double length = normal.norm();
+      if(length > 0)
+        push_back(w[0] * a + w[1] * b + w[2] * c, sign / length * normal,
+                  piece.fraction * surface.areas[t], surface.sources[t]);
+    };
+    for_each_piece(whole_triangle(surface.corner(t, 0), surface.corner(t, 1), surface.corner(t, 2)),
+                   largest_variance(spacing), sample);
+  }
+}
+
+inline Medial_samples::Medial_samples(const Surfels& surfels, const Medial_ball_options& options)
+{
+  const double sign = options.side == Side::INSIDE ? 1 : -1;
+  for(std::size_t i = 0; i < surfels.size(); ++i) {
+    const Vector position = to_eigen(surfels.positions[i]), normal = to_eigen(surfels.normals[i]);
+    const double length = normal.norm(), area = surfels.areas[i];
+    if(!position.allFinite())
+      throw std::invalid_argument("positions[" + std::to_string(i) + "] is not finite");
+    if(!(std::abs(length - 1) < 1e-3))
+      throw std::invalid_argument("normals[" + std::to_string(i) + "] has the length " +
+                                  std::to_string(length) + ": must be 1");
+    if(!(area >= 0) || !std::isfinite(area))
+      throw std::invalid_argument("areas[" + std::to_string(i) + "] is " + std::to_string(area) +
+                                  ": must be finite and not negative");
+    push_back(position, sign / length * normal, area, surfels.sources[i]);
+  }
+}
+
+} // namespace internal
+} // namespace Area_projection
+} // namespace CGAL
+
+#endif // CGAL_AREA_PROJECTION_TRANSFORM_MEDIAL_BALLS_MEDIAL_SAMPLES_H

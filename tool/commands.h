@@ -24,6 +24,7 @@ bool run_salient(const std::vector<std::string>& arguments, Console& console);
 bool run_lines(const std::vector<std::string>& arguments, Console& console);
 bool run_describe(const std::vector<std::string>& arguments, Console& console);
 bool run_retrieve(const std::vector<std::string>& arguments, Console& console);
+bool run_medial(const std::vector<std::string>& arguments, Console& console);
 bool run_info(const std::vector<std::string>& arguments, Console& console);
 
 } // namespace mapt

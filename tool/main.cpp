@@ -37,6 +37,7 @@ const std::vector<Command>& commands()
       {"lines", "the centrelines of tubes, with radii, joined to a graph", run_lines},
       {"describe", "a row of numbers for each mesh, by which shapes are compared", run_describe},
       {"retrieve", "how well such rows tell classes of shapes apart; nearest shapes", run_retrieve},
+      {"medial", "balls along the medial axis, with what tells which of them matter", run_medial},
       {"info", "what is in a mesh or a map, and what is wrong with it", run_info}};
   return all;
 }

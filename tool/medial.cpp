@@ -1,0 +1,138 @@
+// Copyright (c) 2026 The Area Projection Transform authors.
+//
+// This file is part of the Area_projection_transform package.
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+// mapt medial: medial balls, weighted by the transform.
+
+#include "commands.h"
+#include "cost.h"
+#include "describe_input.h"
+#include "map_file.h"
+#include "medial_options.h"
+#include "medial_picture.h"
+#include "medial_report.h"
+#include "progress.h"
+#include "surface.h"
+#include "threads.h"
+
+#include <CGAL/Area_projection_transform/IO/medial_balls_PLY.h>
+#include <CGAL/Area_projection_transform/medial_balls.h>
+
+#include <cmath>
+#include <limits>
+
+namespace mapt {
+
+namespace {
+
+using Tag = CGAL::Parallel_if_available_tag;
+
+double diagonal(const CGAL::Bbox_3& box)
+{
+  return std::sqrt(CGAL::square(box.xmax() - box.xmin()) + CGAL::square(box.ymax() - box.ymin()) +
+                   CGAL::square(box.zmax() - box.zmin()));
+}
+
+// Of the balls that are not pruned, those that --select asks for.
+template <class Source>
+std::vector<std::size_t> selected(const Medial_result& result, const Source& source,
+                                  const Medial_options& options)
+{
+  const AP::Medial_weight weight = options.used_weight();
+  const std::vector<std::size_t> candidates = AP::select_by_weight(
+      result.balls, weight, options.prune.value_or(-std::numeric_limits<double>::infinity()));
+  std::vector<AP::Medial_ball> balls;
+  for(const std::size_t i : candidates)
+    balls.push_back(result.balls[i]);
+  const std::size_t number = options.balls.value_or(balls.size());
+  std::vector<std::size_t> kept;
+  if(options.select == "covering")
+    kept = AP::select_covering(balls, source, result.tolerance, number);
+  else if(options.select == "random")
+    kept = AP::select_random(balls, number, options.seed);
+  else if(options.balls)
+    kept = AP::select_strongest(balls, weight, number);
+  else
+    return candidates;
+  for(std::size_t& i : kept)
+    i = candidates[i];
+  return kept;
+}
+
+template <class Source>
+Medial_result find_balls(const Source& source, const Medial_options& options)
+{
+  Medial_result result;
+  result.balls = AP::medial_balls<Tag>(source, options.computation);
+  result.tolerance = options.tolerance.value_or(0.005 * diagonal(source.bbox()));
+  if(!(result.tolerance > 0)) // of a surface without extent
+    return result;
+  result.kept = selected(result, source, options);
+  std::vector<std::size_t> all;
+  for(std::size_t i = 0; i < result.balls.size(); ++i)
+    all.push_back(i);
+  result.covered_by_all = AP::covered_part(result.balls, all, source, result.tolerance);
+  result.covered_by_kept = AP::covered_part(result.balls, result.kept, source, result.tolerance);
+  return result;
+}
+
+void write_files(const Medial_result& result, const Surface& surface, const Input& input,
+                 const Medial_options& options, Console& console)
+{
+  auto& json = console.report["outputs"] = nlohmann::ordered_json::array();
+  if(!options.picture.empty()) {
+    Signal_watch::check();
+    write_medial_picture(options.picture, surface.source(), result.balls, result.kept,
+                         holes_of(input));
+    json.push_back(options.picture);
+  }
+  if(!options.output.empty()) {
+    Signal_watch::check();
+    AP::IO::PLY_options format;
+    format.comments = {"mapt medial: balls of " + options.mesh};
+    AP::IO::write_PLY(
+        options.output,
+        AP::IO::medial_balls_PLY(result.balls, result.kept, options.do_write_kept_only), format);
+    json.push_back(options.output);
+  }
+}
+
+} // namespace
+
+bool run_medial(const std::vector<std::string>& arguments, Console& console)
+{
+  Medial_options options;
+  if(!read_options(arguments, console, options))
+    return false;
+  if(!options.output.empty())
+    check_output("--output", options.output, {options.mesh});
+  if(!options.picture.empty())
+    check_output("--picture", options.picture, {options.mesh});
+
+  Stopwatch watch;
+  const Thread_limit limit(number_of_threads(options.common.threads));
+  const Input input = read_input(options.mesh, options.common.reading);
+  console.report["input"] = {{"file", options.mesh}};
+  console.report["input"].update(to_json(input.report));
+  console.row("mesh", options.mesh + ": " + summary(input));
+  warn_of(input, console);
+  report_parameters(options, console);
+  const double reading = watch.seconds();
+
+  const auto surface = make_surface(input, Surface_options(), 1);
+  const Medial_result result = std::visit(
+      [&](const auto* source) { return find_balls(*source, options); }, surface->source());
+  const double computing = watch.seconds();
+
+  const Signal_watch signals;
+  write_files(result, *surface, input, options, console);
+  report_cost({reading, computing, watch.seconds()}, console);
+  for(const std::string file : console.report["outputs"])
+    console.row("written", file);
+  report_balls(result, options, console);
+  return true;
+}
+
+} // namespace mapt

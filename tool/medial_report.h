@@ -1,0 +1,33 @@
+// Copyright (c) 2026 The Area Projection Transform authors.
+//
+// This file is part of the Area_projection_transform package.
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#ifndef MAPT_MEDIAL_REPORT_H
+#define MAPT_MEDIAL_REPORT_H
+
+#include "medial_options.h"
+
+#include <cstddef>
+#include <vector>
+
+namespace mapt {
+
+// The balls of a surface, those that were selected, and how much of the surface they cover.
+struct Medial_result
+{
+  std::vector<CGAL::Area_projection::Medial_ball> balls;
+  std::vector<std::size_t> kept; // positions in `balls`
+  double tolerance = 0;
+  double covered_by_all = 0, covered_by_kept = 0; // parts of the area
+};
+
+void report_parameters(const Medial_options& options, Console& console);
+
+// Fills "medial" of the report, and shows what was found.
+void report_balls(const Medial_result& result, const Medial_options& options, Console& console);
+
+} // namespace mapt
+
+#endif // MAPT_MEDIAL_REPORT_H

@@ -9,6 +9,7 @@
 #include "commands.h"
 #include "cost.h"
 #include "describe_input.h"
+#include "file_elements.h"
 #include "map_file.h"
 #include "medial_options.h"
 #include "medial_picture.h"

@@ -20,6 +20,9 @@ void figure_1(const Options& options, Benchmarks::Report& report);
 /// a sphere with bumps much smaller than its radius, and its value at the centre.
 void figure_4(const Options& options, Benchmarks::Report& report);
 
+/// the medial axis of a cylinder with a small bump, pruned by several weights.
+void figure_5(const Options& options, Benchmarks::Report& report);
+
 /// a scan with holes: three scales and the joint map.
 void figure_7(const Options& options, Benchmarks::Report& report);
 

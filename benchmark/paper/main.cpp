@@ -27,6 +27,7 @@ struct Figure
 
 constexpr Figure figures[] = {{"1", Paper::figure_1},
                               {"4", Paper::figure_4},
+                              {"5", Paper::figure_5},
                               {"7", Paper::figure_7},
                               {"8", Paper::figure_8},
                               {"9", Paper::figure_9},

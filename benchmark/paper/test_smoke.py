@@ -48,7 +48,7 @@ class Smoke(unittest.TestCase):
 
     def test_every_figure_has_rows(self):
         groups = [group["name"] for group in self.data["groups"]]
-        self.assertEqual(groups, ["figure 1", "figure 4", "figure 7", "figure 8", "figure 9", "figure 10",
+        self.assertEqual(groups, ["figure 1", "figure 4", "figure 5", "figure 7", "figure 8", "figure 9", "figure 10",
                                   "figure 11", "figure 12", "figure 13", "curves", "ratios", "salient",
                                   "lines"])
         self.assertEqual({row["group"] for row in self.data["rows"]}, set(groups))
@@ -87,6 +87,13 @@ class Smoke(unittest.TestCase):
                 self.assertLess(row["measures"]["relative value"], 0.5, row)
             else:
                 self.assertAlmostEqual(row["measures"]["relative value"], 1, delta=0.1, msg=row)
+
+    def test_a_bump_moves_what_is_important_least(self):
+        for coverage in 0.9, 0.85:
+            gain = {row["name"]: row["measures"]["gain"]
+                    for row in self.rows("figure 5", "bump", coverage=coverage)}
+            self.assertGreater(gain["importance"], 10)
+            self.assertGreater(gain["importance"], 3 * gain["MAPT"])
 
     def test_walls_count(self):
         walls = [row for row in self.data["rows"]

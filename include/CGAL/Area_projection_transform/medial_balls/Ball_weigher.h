@@ -92,7 +92,7 @@ private:
 /// move through the surface.
 inline Ball_weigher::Ball Ball_weigher::refitted(const Ball& ball) const
 {
-  constexpr double sigma_ratio = 0.25, spacing = 0.16, least_variance = 0.03;
+  constexpr double sigma_ratio = 0.25, spacing = 0.1, least_variance = 0.03, rest = 1e-3;
   constexpr int rounds = 4;
   Ball fitted = ball;
   for(int round = 0; round < rounds; ++round) {
@@ -118,7 +118,10 @@ inline Ball_weigher::Ball Ball_weigher::refitted(const Ball& ball) const
     const double radius = (mixed / weight - position.dot(normal)) / variance;
     if(!(radius > 0.5 * ball.radius) || !(radius < 2 * ball.radius))
       return ball;
-    fitted = {fitted.center + position - radius * normal, radius};
+    const Vector step = position - radius * normal;
+    fitted = {fitted.center + step, radius};
+    if(step.norm() < rest * radius)
+      break;
   }
   return is_clear(fitted) ? fitted : ball;
 }

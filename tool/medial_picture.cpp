@@ -58,7 +58,7 @@ void draw_legend(Canvas& canvas, int x, int y, std::size_t number, bool has_hole
     canvas.fill(x + 2 * i, y + 34, 2, 14, colour_of_mapt(i / 64.));
   canvas.write(x + 142, y + 34, "MAPT", font_size, ink);
   canvas.write(x, y + 54, "0", font_size, faint_ink);
-  canvas.write(x + 56, y + 54, "1/2", font_size, faint_ink);
+  canvas.write(x + 56, y + 54, "0.5", font_size, faint_ink);
   canvas.write(x + 124, y + 54, "1", font_size, faint_ink);
   if(has_holes)
     draw_legend_of_holes(canvas, x, y + 88);

@@ -92,7 +92,7 @@ private:
 /// move through the surface.
 inline Ball_weigher::Ball Ball_weigher::refitted(const Ball& ball) const
 {
-  constexpr double sigma_ratio = 0.25, spacing = 0.1, least_variance = 0.03, rest = 1e-3;
+  constexpr double sigma_ratio = 0.25, spacing = 0.07, least_variance = 0.03, rest = 1e-3;
   constexpr int rounds = 4;
   Ball fitted = ball;
   for(int round = 0; round < rounds; ++round) {

@@ -112,7 +112,7 @@ inline double weight_of(const Medial_ball& ball, Medial_weight weight, double si
   case Medial_weight::MAPT:
     return ball.mapt;
   case Medial_weight::RADIAL_MAPT:
-    return ball.mapt * ball.refitted_radius;
+    return ball.mapt * ball.radius;
   case Medial_weight::LAMBDA:
     return ball.lambda;
   case Medial_weight::ANGLE:

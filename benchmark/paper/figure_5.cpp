@@ -194,7 +194,7 @@ void figure_5(const Options& options, Benchmarks::Report& report)
   const int sides = options.pick(48, 96), rows = options.pick(60, 160);
   const Soup plain = cylinder(1, 6, sides, rows);
   const Shape axis = shape_of(plain, 20);
-  for(const double bump : options.pick<std::vector<double>>({0.25}, {0.125, 0.25, 0.5}))
+  for(const double bump : options.pick<std::vector<double>>({0.25}, {0.125, 0.25}))
     publish(compare(axis, shape_of(with_bump(plain, bump), 20), bump, 0), report);
   // Displaced within balls of 0.3 edges, about.
   const double noise = 0.3 / std::sqrt(5.);

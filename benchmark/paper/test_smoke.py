@@ -89,11 +89,10 @@ class Smoke(unittest.TestCase):
                 self.assertAlmostEqual(row["measures"]["relative value"], 1, delta=0.1, msg=row)
 
     def test_a_bump_moves_what_is_important_least(self):
-        for coverage in 0.9, 0.85:
-            gain = {row["name"]: row["measures"]["gain"]
-                    for row in self.rows("figure 5", "bump", coverage=coverage)}
-            self.assertGreater(gain["importance"], 10)
-            self.assertGreater(gain["importance"], 3 * gain["MAPT"])
+        gain = {row["name"]: row["measures"]["gain"]
+                for row in self.rows("figure 5", "bump", coverage=0.8)}
+        self.assertGreater(gain["importance"], 5)
+        self.assertGreater(gain["importance"], 3 * gain["MAPT"])
 
     def test_walls_count(self):
         walls = [row for row in self.data["rows"]

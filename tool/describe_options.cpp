@@ -88,6 +88,20 @@ void add_histograms(CLI::App& app, Describe_options& options)
          "--no-compensate", [&d] { d.compensate = false; },
          "do not divide by the part of the surface that is there")
       ->group("Descriptor");
+  app.add_flag("--subdivide", options.subdivide,
+               "for scans, with holes or noise: smooth meshes of large faces by one step of Loop's "
+               "scheme, and interpolate between the normals of their vertices")
+      ->group("Descriptor");
+}
+
+void choose_normals(Describe_options& options)
+{
+  if(options.subdivide && options.surface.normals != "face")
+    throw Usage_error("--subdivide interpolates normals: leave --normals " +
+                      options.surface.normals + " out");
+  options.descriptor.normals =
+      options.subdivide ? AP::Descriptor_normals::SUBDIVIDED : normals.at(options.surface.normals);
+  options.descriptor.smoothing_ratio = options.surface.used_smoothing_ratio();
 }
 
 // The library names its own parameters, which are the options by other words.
@@ -147,8 +161,7 @@ bool read_options(const std::vector<std::string>& arguments, Console& console,
                       "holds the numbers if there is no output)");
   check(options.surface);
   options.descriptor.binning = binnings.at(options.kind);
-  options.descriptor.normals = normals.at(options.surface.normals);
-  options.descriptor.smoothing_ratio = options.surface.used_smoothing_ratio();
+  choose_normals(options);
   check(options.descriptor);
   return true;
 }
@@ -168,6 +181,7 @@ nlohmann::ordered_json choices_of(const Describe_options& options)
       {"sigma_ratio", d.sigma_ratio},
       {"compensate", d.compensate},
       {"normals", options.surface.normals},
+      {"subdivide", options.subdivide},
       {"smoothing_ratio", d.smoothing_ratio ? nlohmann::ordered_json(*d.smoothing_ratio) : nullptr},
       {"orient", options.common.reading.orient},
       {"flip", options.common.reading.flip}};

@@ -25,6 +25,7 @@ struct Describe_options
   std::string output;              // empty or "-": stdout
   std::string kind = "paper";
   Surface_options surface;
+  bool subdivide = false; // smooth coarse meshes
   AP::Shape_descriptor_options descriptor;
   Common_options common;
 

@@ -74,7 +74,8 @@ void report_parameters(const Describe_options& options, std::size_t ranks, Conso
   parameters["block_size"] = options.block_size();
   parameters["threads"] = ranks > 1 ? 1 : number_of_threads(options.common.threads);
   parameters["ranks"] = ranks;
-  console.row("method", options.kind + ", normals: " + options.surface.normals + ", " +
+  console.row("method", options.kind + ", normals: " +
+                            (options.subdivide ? "subdivided" : options.surface.normals) + ", " +
                             std::to_string(options.dimension()) + " numbers in blocks of " +
                             std::to_string(options.block_size()));
 }

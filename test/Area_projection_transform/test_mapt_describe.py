@@ -97,6 +97,9 @@ class Table(Corpus):
                 self.assertEqual((len(header), len(row)), (number + 1, number + 1))
                 self.assertAlmostEqual(sum(map(float, row[1:])), 1, delta=1e-5)
         self.assertEqual(len(self.describe(self.sphere, "--normals", "averaged")[1]), 97)
+        self.assertNotEqual(self.describe(self.sphere, "--subdivide")[1], self.describe(self.sphere)[1])
+        self.fail_with(WRONG_USAGE, ["--subdivide", "--normals"], "describe", self.sphere, "--subdivide",
+                       "--normals", "averaged")
         self.fail_with(WRONG_USAGE, ["PAIRS", "even", "--radius-max"], "describe", self.sphere,
                        "--kind", "pairs", "--radius-max", 4)
         self.fail_with(WRONG_USAGE, ["--smoothing-ratio", "face"], "describe", self.sphere,

@@ -101,17 +101,15 @@ private:
 
   void measure(Centerline_branch& branch) const
   {
-    double fitted = 0, covered = 0, volume = 0;
+    double covered = 0, volume = 0;
     for(std::size_t i = 1; i < branch.vertices.size(); ++i) {
       const Centerline_vertex &a = m_graph[branch.vertices[i - 1]],
                               &b = m_graph[branch.vertices[i]];
       const double length = distance(a, b);
       branch.length += length;
       volume += length * 0.5 * (a.radius + b.radius);
-      if(a.origin == Centerline_origin::FITTED && b.origin == Centerline_origin::FITTED) {
-        fitted += length;
+      if(a.origin == Centerline_origin::FITTED && b.origin == Centerline_origin::FITTED)
         covered += length * 0.5 * (a.coverage + b.coverage);
-      }
     }
     if(branch.length > 0) {
       branch.mean_radius = volume / branch.length;

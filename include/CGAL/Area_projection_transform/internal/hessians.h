@@ -8,8 +8,8 @@
 #define CGAL_AREA_PROJECTION_TRANSFORM_INTERNAL_HESSIANS_H
 
 #include <CGAL/Area_projection_transform/Row_spans.h>
+#include <CGAL/Area_projection_transform/internal/Layer_ring.h>
 #include <CGAL/Area_projection_transform/internal/parallel_workers.h>
-#include <CGAL/Area_projection_transform/salient_points/Gaussian_smoother.h>
 
 #include <algorithm>
 #include <array>
@@ -105,20 +105,17 @@ public:
   Layer_derivatives(const Row_spans& region, const std::vector<float>& map, const Row_spans& wanted,
                     const Gaussian_derivatives& gaussian,
                     const std::vector<Derivative_orders>& orders)
-      : m_region(region)
-      , m_map(map)
-      , m_wanted(wanted)
+      : m_wanted(wanted)
       , m_gaussian(gaussian)
       , m_orders(orders)
       , m_reach(gaussian.reach())
-      , m_layers(std::size_t(2 * m_reach + 1), empty_layer())
-      , m_along_y(std::size_t(width() + 2 * m_reach), 0.f)
-      , m_derivatives(orders.size(), std::vector<float>(std::size_t(width())))
-      , m_needed(std::size_t(height()))
+      , m_layers(region, map, m_reach)
+      , m_along_y(std::size_t(m_layers.width() + 2 * m_reach), 0.f)
+      , m_derivatives(orders.size(), std::vector<float>(std::size_t(m_layers.width())))
   {
     for(const Derivative_orders& order : orders)
       while(m_along_z.size() <= order[2])
-        m_along_z.push_back(empty_layer());
+        m_along_z.push_back(m_layers.empty_layer());
   }
 
   /// hands the rows of the layers `first`, …, `last - 1` to `sink(const Derivative_row&)`.
@@ -127,77 +124,25 @@ public:
   {
     int loaded = first - m_reach; // below that, nothing is
     for(int k = first; k < last; ++k) {
-      if(!find_needed_places(k))
+      if(!find_needed_places(m_wanted, k, m_reach, m_needed))
         continue;
       for(loaded = std::max(loaded, k - m_reach); loaded <= k + m_reach; ++loaded)
-        load(loaded);
+        m_layers.load(loaded);
       sum_along_z(k);
-      for(int j = 0; j < height(); ++j)
+      for(int j = 0; j < m_layers.height(); ++j)
         differentiate_row(j, k, sink);
     }
   }
 
 private:
-  struct Places
-  {
-    int first, last;
-    bool is_empty() const { return first >= last; }
-  };
-
-  int width() const { return m_region.grid().size()[0]; }
-  int height() const { return m_region.grid().size()[1]; }
-  Padded_layer empty_layer() const { return Padded_layer(width(), height(), m_reach); }
-
-  Padded_layer& layer(int k)
-  {
-    const int number = 2 * m_reach + 1;
-    return m_layers[std::size_t((k % number + number) % number)];
-  }
-
-  void load(int k)
-  {
-    layer(k).clear();
-    if(k < 0 || k >= m_region.grid().size()[2])
-      return;
-    for(int j = 0; j < height(); ++j) {
-      const std::size_t row = m_region.grid().row(j, k);
-      const Row_spans::Hull& h = m_region.hull(row);
-      const auto [begin, end] = m_region.runs(row);
-      for(auto run = begin; run != end; ++run)
-        std::copy_n(m_map.data() + h.offset + (run->first - h.first), run->last - run->first,
-                    layer(k).row(j) + run->first);
-    }
-  }
-
-  /// \brief in each row of the layer, the places at which sums along `z` are needed.
-  /// \return whether there are any
-  bool find_needed_places(int k)
-  {
-    std::fill(m_needed.begin(), m_needed.end(), Places{width(), 0});
-    bool are_any = false;
-    for(int j = 0; j < height(); ++j) {
-      const Row_spans::Hull& h = m_wanted.hull(m_wanted.grid().row(j, k));
-      if(h.first == h.last)
-        continue;
-      are_any = true;
-      const int last_row = std::min(j + m_reach, height() - 1);
-      for(int row = std::max(j - m_reach, 0); row <= last_row; ++row) {
-        Places& needed = m_needed[std::size_t(row)];
-        needed.first = std::min(needed.first, std::max(h.first - m_reach, 0));
-        needed.last = std::max(needed.last, std::min(h.last + m_reach, width()));
-      }
-    }
-    return are_any;
-  }
-
   void sum_along_z(int k)
   {
-    for(int j = 0; j < height(); ++j) {
+    for(int j = 0; j < m_layers.height(); ++j) {
       const Places& needed = m_needed[std::size_t(j)];
       if(!needed.is_empty())
         for(std::size_t order = 0; order < m_along_z.size(); ++order)
           sum_rows(
-              m_gaussian, order, [&](int d) { return layer(k + d).row(j); }, needed.first,
+              m_gaussian, order, [&](int d) { return m_layers.layer(k + d).row(j); }, needed.first,
               needed.last, m_along_z[order].row(j) + needed.first);
     }
   }
@@ -208,7 +153,8 @@ private:
     const Row_spans::Hull& h = m_wanted.hull(m_wanted.grid().row(j, k));
     if(h.first == h.last)
       return;
-    const int first = std::max(h.first - m_reach, 0), last = std::min(h.last + m_reach, width());
+    const int first = std::max(h.first - m_reach, 0),
+              last = std::min(h.last + m_reach, m_layers.width());
     float* along_y = m_along_y.data() + m_reach; // in a margin of zeros
     Derivative_row result{h.first, h.last, j, k, {}};
     for(std::size_t i = 0; i < m_orders.size(); ++i) {
@@ -224,13 +170,11 @@ private:
     sink(result);
   }
 
-  const Row_spans& m_region;
-  const std::vector<float>& m_map;
   const Row_spans& m_wanted;
   const Gaussian_derivatives& m_gaussian;
   const std::vector<Derivative_orders>& m_orders;
   int m_reach;
-  std::vector<Padded_layer> m_layers;  // a ring, around the layer at hand
+  Layer_ring m_layers;
   std::vector<Padded_layer> m_along_z; // by order
   std::vector<float> m_along_y;
   std::vector<std::vector<float>> m_derivatives;

@@ -8,6 +8,7 @@
 #define CGAL_AREA_PROJECTION_TRANSFORM_SALIENT_POINTS_GAUSSIAN_SMOOTHER_H
 
 #include <CGAL/Area_projection_transform/Row_spans.h>
+#include <CGAL/Area_projection_transform/internal/Layer_ring.h>
 #include <CGAL/Area_projection_transform/internal/parallel_workers.h>
 
 #include <algorithm>
@@ -22,26 +23,6 @@ namespace Area_projection {
 
 /// \cond SKIP_IN_MANUAL
 namespace internal {
-
-/// a layer of a grid without gaps, with a margin of zeros around it: rows and places in them begin at
-/// `-margin`.
-class Padded_layer
-{
-public:
-  Padded_layer(int width, int height, int margin)
-      : m_margin(margin)
-      , m_stride(std::size_t(width + 2 * margin))
-      , m_values(m_stride * std::size_t(height + 2 * margin), 0.f)
-  {}
-
-  float* row(int j) { return m_values.data() + m_stride * std::size_t(j + m_margin) + m_margin; }
-  void clear() { std::fill(m_values.begin(), m_values.end(), 0.f); }
-
-private:
-  int m_margin;
-  std::size_t m_stride;
-  std::vector<float> m_values;
-};
 
 /// \brief the weighted sum of rows that lie symmetrically about one: its own weight comes first.
 ///
@@ -97,10 +78,7 @@ private:
   std::vector<const float*> m_rows;
 };
 
-/// \brief smooths the layers of a map, one after the other, along `z`, `y` and `x`.
-///
-/// What lies near a layer is laid out without gaps, so that what the region leaves out counts as zero
-/// along all axes alike.
+/// smooths the layers of a map, one after the other, along `z`, `y` and `x`.
 class Layer_smoother
 {
 public:
@@ -108,78 +86,32 @@ public:
                  const std::vector<float>& map, std::vector<float>& smoothed)
       : m_region(region)
       , m_reach(int(weights.size()) - 1)
-      , m_map(map)
       , m_smoothed(smoothed)
       , m_sum(weights)
-      , m_layers(std::size_t(2 * m_reach + 1), empty_layer())
-      , m_along_z(empty_layer())
+      , m_layers(region, map, m_reach)
+      , m_along_z(m_layers.empty_layer())
       , m_along_y(width() + 2 * std::size_t(m_reach), 0.f)
-      , m_needed(std::size_t(height()))
   {}
 
   /// smooths the layers `first`, …, `last - 1`.
   void smooth(int first, int last)
   {
     for(int k = first - m_reach; k < first + m_reach; ++k)
-      load(k);
+      m_layers.load(k);
     for(int k = first; k < last; ++k) {
-      load(k + m_reach);
-      find_needed_places(k);
+      m_layers.load(k + m_reach);
+      find_needed_places(m_region, k, m_reach, m_needed);
       sum_along_z(k);
       sum_along_y_and_x(k);
     }
   }
 
 private:
-  struct Places
-  {
-    int first, last;
-    bool is_empty() const { return first >= last; }
-  };
-
   int width() const { return m_region.grid().size()[0]; }
   int height() const { return m_region.grid().size()[1]; }
-  Padded_layer empty_layer() const { return Padded_layer(width(), height(), m_reach); }
   const Row_spans::Hull& hull(int j, int k) const
   {
     return m_region.hull(m_region.grid().row(j, k));
-  }
-
-  Padded_layer& layer(int k)
-  {
-    const int number = 2 * m_reach + 1;
-    return m_layers[std::size_t((k % number + number) % number)];
-  }
-
-  void load(int k)
-  {
-    layer(k).clear();
-    if(k < 0 || k >= m_region.grid().size()[2])
-      return;
-    for(int j = 0; j < height(); ++j) {
-      const Row_spans::Hull& h = hull(j, k);
-      const auto [begin, end] = m_region.runs(m_region.grid().row(j, k));
-      for(auto run = begin; run != end; ++run)
-        std::copy_n(m_map.data() + h.offset + (run->first - h.first), run->last - run->first,
-                    layer(k).row(j) + run->first);
-    }
-  }
-
-  /// in each row, the places at which sums along `z` are needed for the layer.
-  void find_needed_places(int k)
-  {
-    std::fill(m_needed.begin(), m_needed.end(), Places{width(), 0});
-    for(int j = 0; j < height(); ++j) {
-      const Row_spans::Hull& h = hull(j, k);
-      if(h.first == h.last)
-        continue;
-      const int last_row = std::min(j + m_reach, height() - 1);
-      for(int row = std::max(j - m_reach, 0); row <= last_row; ++row) {
-        Places& needed = m_needed[std::size_t(row)];
-        needed.first = std::min(needed.first, std::max(h.first - m_reach, 0));
-        needed.last = std::max(needed.last, std::min(h.last + m_reach, width()));
-      }
-    }
   }
 
   void sum_along_z(int k)
@@ -188,7 +120,7 @@ private:
       const Places& needed = m_needed[std::size_t(j)];
       if(needed.is_empty())
         continue;
-      m_sum.set_rows([&](int d) { return layer(k + d).row(j); });
+      m_sum.set_rows([&](int d) { return m_layers.layer(k + d).row(j); });
       m_sum.write(needed.first, needed.last, m_along_z.row(j) + needed.first);
     }
   }
@@ -212,10 +144,9 @@ private:
 
   const Row_spans& m_region;
   int m_reach;
-  const std::vector<float>& m_map;
   std::vector<float>& m_smoothed;
   Symmetric_sum m_sum;
-  std::vector<Padded_layer> m_layers; // a ring, around the layer that is smoothed
+  Layer_ring m_layers;
   Padded_layer m_along_z;
   std::vector<float> m_along_y;
   std::vector<Places> m_needed;

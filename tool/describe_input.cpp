@@ -68,4 +68,14 @@ void warn_of(const Input& input, Console& console)
     console.warn(input.file + ": " + line);
 }
 
+Input read_described(const std::string& file, const Reading_options& options, Console& console)
+{
+  Input input = read_input(file, options);
+  console.report["input"] = {{"file", file}};
+  console.report["input"].update(to_json(input.report));
+  console.row("mesh", file + ": " + summary(input));
+  warn_of(input, console);
+  return input;
+}
+
 } // namespace mapt

@@ -10,6 +10,8 @@
 #include "console.h"
 #include "input.h"
 
+#include <string>
+
 namespace mapt {
 
 /// the counts and measures of an input, as --json gives them.
@@ -20,6 +22,10 @@ std::string summary(const Input& input);
 
 /// warns of all that the user should know.
 void warn_of(const Input& input, Console& console);
+
+/// reads an input and tells what it is.
+/// \throw Input_error
+Input read_described(const std::string& file, const Reading_options& options, Console& console);
 
 } // namespace mapt
 

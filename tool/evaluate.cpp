@@ -243,11 +243,7 @@ bool run_evaluate(const std::vector<std::string>& arguments, Console& console)
 
   const std::vector<AP::Query> queries = read_queries(options);
   const Thread_limit limit(number_of_threads(options.common.threads));
-  const Input input = read_input(options.mesh, options.common.reading);
-  console.report["input"] = {{"file", options.mesh}};
-  console.report["input"].update(to_json(input.report));
-  console.row("mesh", options.mesh + ": " + summary(input));
-  warn_of(input, console);
+  const Input input = read_described(options.mesh, options.common.reading, console);
   if(input.is_point_set && options.method == "exact")
     throw Usage_error("--method exact: " + options.mesh +
                       " has points only, and exact areas need faces; use samples");

@@ -199,11 +199,7 @@ bool run_transform(const std::vector<std::string>& arguments, Console& console)
 
   Stopwatch watch;
   const Thread_limit limit(number_of_threads(options.common.threads));
-  const Input input = read_input(options.mesh, options.common.reading);
-  console.report["input"] = {{"file", options.mesh}};
-  console.report["input"].update(to_json(input.report));
-  console.row("mesh", options.mesh + ": " + summary(input));
-  warn_of(input, console);
+  const Input input = read_described(options.mesh, options.common.reading, console);
   const double reading = watch.seconds();
 
   const Signal_watch signals;

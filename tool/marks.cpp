@@ -151,6 +151,13 @@ void fill_ring(Rasterizer& shape, const Ring& ring)
 
 } // namespace
 
+Colour colour_from_blue_to_red(double value)
+{
+  constexpr Colour blue{70, 140, 255}, violet{190, 95, 235}, red{255, 84, 52};
+  const double v = std::clamp(value, 0., 1.);
+  return v < 0.5 ? mix(blue, violet, 2 * v) : mix(violet, red, 2 * v - 1);
+}
+
 void draw_ball(Canvas& canvas, const Camera& camera, const AP::Point_3& centre, double radius,
                const Colour& colour)
 {

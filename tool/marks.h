@@ -31,6 +31,9 @@ struct Paint
   double strength = 1; // in [0, 1]: how much an outline stands out
 };
 
+// The colour of a value in [0, 1], from blue by violet to red. Green is left to holes.
+Colour colour_from_blue_to_red(double value);
+
 /// draws a solid ball.
 /// \param radius in the units of space
 void draw_ball(Canvas& canvas, const Camera& camera, const AP::Point_3& centre, double radius,

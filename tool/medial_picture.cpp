@@ -29,9 +29,7 @@ constexpr std::size_t most_outlines = 400; // more balls would hide each other
 // Walls, tubes and spheres have 1/8, 1/2 and 1.
 Colour colour_of_mapt(double mapt)
 {
-  constexpr Colour blue{70, 140, 255}, violet{190, 95, 235}, red{255, 84, 52};
-  const double m = std::clamp(mapt, 0., 1.);
-  return m < 0.5 ? mix(blue, violet, 2 * m) : mix(violet, red, 2 * m - 1);
+  return colour_from_blue_to_red(mapt);
 }
 
 void draw_balls(Canvas& page, const Camera& camera, const std::vector<Medial_ball>& balls,
@@ -56,7 +54,7 @@ void draw_legend(Canvas& canvas, int x, int y, std::size_t number, bool has_hole
   canvas.write(x, y, counted(number, "ball", "balls"), font_size, ink);
   for(int i = 0; i < 65; ++i)
     canvas.fill(x + 2 * i, y + 34, 2, 14, colour_of_mapt(i / 64.));
-  canvas.write(x + 142, y + 34, "MAPT", font_size, ink);
+  canvas.write(x + 142, y + 34, "mapt", font_size, ink);
   canvas.write(x, y + 54, "0", font_size, faint_ink);
   canvas.write(x + 56, y + 54, "0.5", font_size, faint_ink);
   canvas.write(x + 124, y + 54, "1", font_size, faint_ink);

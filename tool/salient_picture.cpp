@@ -31,14 +31,6 @@ bool is_tube(const Salient_point& point)
   return point.shape == Salient_shape::TUBE || point.shape == Salient_shape::CONE;
 }
 
-// From blue by violet to red. Green is left to holes.
-Colour colour_of_sphericity(double sphericity)
-{
-  constexpr Colour blue{70, 140, 255}, violet{190, 95, 235}, red{255, 84, 52};
-  const double s = std::clamp(sphericity, 0., 1.);
-  return s < 0.5 ? mix(blue, violet, 2 * s) : mix(violet, red, 2 * s - 1);
-}
-
 // What was fitted tells the kind of shape better than the sphericity of the map, which then only tints.
 double drawn_sphericity(const Salient_point& point, Salient_style style)
 {
@@ -65,7 +57,7 @@ Colour dimmed(const Colour& colour, double strength)
 Paint paint_of(const Salient_point& point, double largest, Salient_style style)
 {
   const double strength = strength_of(point.intensity, largest);
-  return {dimmed(colour_of_sphericity(drawn_sphericity(point, style)), strength), strength};
+  return {dimmed(colour_from_blue_to_red(drawn_sphericity(point, style)), strength), strength};
 }
 
 // The cross-sections of a tube, straight or bent, as a function of the length along its axis.
@@ -221,7 +213,7 @@ void draw_legend(Canvas& canvas, int x, int y, const std::vector<Salient_point>&
   std::array<Colour, 65> by_sphericity, by_intensity;
   for(std::size_t i = 0; i < by_sphericity.size(); ++i) {
     const double place = double(i) / double(by_sphericity.size() - 1);
-    by_sphericity[i] = colour_of_sphericity(place);
+    by_sphericity[i] = colour_from_blue_to_red(place);
     by_intensity[i] = dimmed(ink, std::sqrt(place));
   }
   if(style == Salient_style::FITS)

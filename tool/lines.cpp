@@ -22,6 +22,8 @@
 #include <CGAL/Area_projection_transform/IO/centerlines_PLY.h>
 #include <CGAL/Area_projection_transform/centerlines.h>
 
+#include <functional>
+
 namespace mapt {
 
 namespace {
@@ -52,6 +54,23 @@ void write_files(const AP::Centerline_graph& graph, const Surface& surface, cons
   }
 }
 
+/// the lines; shows the progress, and stops on a signal.
+AP::Centerline_graph lines_of(const Surface& surface, const AP::Centerline_options& options,
+                              const Console& console)
+{
+  Progress_line progress(console, "lines");
+  const std::function<bool(double)> callback = [&](double fraction) {
+    progress.show(fraction);
+    return !Signal_watch::is_interrupted();
+  };
+  const auto np = CGAL::parameters::callback(callback);
+  AP::Centerline_graph graph =
+      std::visit([&](const auto* source) { return AP::centerlines<Tag>(*source, options, np); },
+                 surface.source());
+  Signal_watch::check();
+  return graph;
+}
+
 void check_outputs(const Lines_options& options)
 {
   for(const std::string& output : options.outputs)
@@ -78,12 +97,10 @@ bool run_lines(const std::vector<std::string>& arguments, Console& console)
   const double reading = watch.seconds();
 
   const auto surface = make_surface(input, Surface_options(), 1);
-  const AP::Centerline_graph graph =
-      std::visit([&](const auto* source) { return AP::centerlines<Tag>(*source, options.lines); },
-                 surface->source());
+  const Signal_watch signals;
+  const AP::Centerline_graph graph = lines_of(*surface, options.lines, console);
   const double computing = watch.seconds();
 
-  const Signal_watch signals;
   write_files(graph, *surface, input, options, console);
   report_cost({reading, computing, watch.seconds()}, console);
   for(const std::string file : console.report["outputs"])

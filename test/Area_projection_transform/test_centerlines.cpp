@@ -22,6 +22,7 @@
 #include <algorithm>
 #include <cmath>
 #include <cstring>
+#include <functional>
 #include <limits>
 #include <set>
 #include <vector>
@@ -262,6 +263,44 @@ TEST(Centerlines, meet_where_tubes_do)
   }
 }
 
+/// two tubes with round ends that go up at an acute angle to each other, their lower ends fused in a narrow place.
+Soup knee(double angle)
+{
+  constexpr double length = 9; // from the centre of one end to that of the other
+  constexpr double from_middle = 0.85;
+  const Soup straight = tube(length + 2, [](double z) {
+    const double beyond = std::max({1 - z, z - 1 - length, 0.});
+    return std::sqrt(std::max(1 - beyond * beyond, 0.));
+  });
+  const auto direction = [=](double side) {
+    return Vector_3(side * std::sin(angle / 2), 0, std::cos(angle / 2));
+  };
+  Soup both;
+  for(const double side : {-1., 1.}) {
+    const Vector_3 up = direction(side), other = direction(-side), start(side * from_middle, 0, 0);
+    const Soup turned = shapes::moved(straight, [=](const Point_3& p) {
+      const Vector_3 across(up.z(), 0, -up.x());
+      return CGAL::ORIGIN + start + p.x() * across + Vector_3(0, p.y(), 0) + (p.z() - 1) * up;
+    });
+    both = shapes::joined(both, shapes::without_faces(turned, [=](const Point_3& c) {
+                            const Vector_3 way = c - CGAL::ORIGIN + start;
+                            const double along = std::clamp(way * other, 0., length);
+                            return (way - along * other).squared_length() < 0.97;
+                          }));
+  }
+  return both;
+}
+
+// Beyond the knee, along each of its tubes, there is air: the end looks as that of a finger.
+TEST(Centerlines, turn_back_in_a_knee)
+{
+  for(const double degrees : {40., 60., 90.}) {
+    const Centerline_graph graph = lines_of(knee(degrees * pi / 180));
+    EXPECT_EQ(number_of_parts(graph), 1u) << degrees;
+    EXPECT_EQ(number_of_leaves(graph), 2u) << degrees;
+  }
+}
+
 TEST(Centerlines, of_separate_tubes_need_not_be_joined)
 {
   Centerline_options options;
@@ -428,6 +467,34 @@ TEST(Centerlines, survive_junk)
   EXPECT_NO_THROW(lines_of(needle));
   EXPECT_NO_THROW(lines_of(shapes::scaled(round_tube(5), 1e-160)));
   EXPECT_NO_THROW(lines_of(shapes::scaled(round_tube(5), 1e160)));
+}
+
+TEST(Centerlines, tell_their_progress_and_stop_when_they_are_told_to)
+{
+  const AP::Triangle_surface surface = shapes::surface_of(three_tubes());
+  double last = 0;
+  const std::size_t all =
+      AP::branches(AP::centerlines(
+                       surface, {},
+                       CGAL::parameters::callback(std::function<bool(double)>([&](double fraction) {
+                         EXPECT_GE(fraction, last);
+                         EXPECT_LE(fraction, 1);
+                         last = fraction;
+                         return true;
+                       }))))
+          .size();
+  EXPECT_GT(last, 0);
+  EXPECT_EQ(all, 3u);
+  Centerline_options apart;
+  apart.do_join = false;
+  int calls = 0;
+  const Centerline_graph some = AP::centerlines(
+      surface, apart, CGAL::parameters::callback(std::function<bool(double)>([&](double) {
+        ++calls;
+        return false;
+      })));
+  EXPECT_EQ(calls, 1);
+  EXPECT_LE(AP::branches(some).size(), 3u);
 }
 
 TEST(Centerlines, refuse_options_that_make_no_sense)

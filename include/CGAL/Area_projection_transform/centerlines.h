@@ -19,10 +19,12 @@
 #include <CGAL/Area_projection_transform/centerlines/finish_graph.h>
 #include <CGAL/Area_projection_transform/centerlines/inner_balls.h>
 #include <CGAL/Area_projection_transform/centerlines/tidy_graph.h>
+#include <CGAL/Area_projection_transform/internal/Progress_report.h>
 #include <CGAL/Area_projection_transform/surfels_from_mesh.h>
 
 #include <cstddef>
 #include <cstdint>
+#include <functional>
 #include <utility>
 #include <vector>
 
@@ -40,7 +42,7 @@ Draft_graph draft_graph(const Sample_levels& levels, const Line_samples& samples
 {
   std::vector<Inner_ball> balls;
   if(options.do_join && lines.size() > 1)
-    balls = inner_balls<ConcurrencyTag>(levels, samples, claims);
+    balls = inner_balls<ConcurrencyTag>(levels, samples, claims, lines);
   Draft_graph graph = options.do_join
                           ? Line_joiner<ConcurrencyTag>(lines, Ball_graph(lines, std::move(balls)),
                                                         options.vertex_spacing)
@@ -54,14 +56,15 @@ Draft_graph draft_graph(const Sample_levels& levels, const Line_samples& samples
 }
 
 template <class ConcurrencyTag>
-Centerline_graph centerlines_of(const Line_samples& samples,
-                                const std::vector<std::uint32_t>& sources,
-                                const Centerline_options& options)
+Centerline_graph
+centerlines_of(const Line_samples& samples, const std::vector<std::uint32_t>& sources,
+               const Centerline_options& options, const std::function<bool(double)>& callback)
 {
   if(samples.size() == 0)
     return Centerline_graph();
   const Sample_levels levels(samples);
-  Line_finder<ConcurrencyTag> finder(samples, levels);
+  Progress_report progress(callback);
+  Line_finder<ConcurrencyTag> finder(samples, levels, progress);
   std::vector<Draft_line> lines;
   for(Traced_line& line : finder.find(options.least_length))
     lines.push_back(draft_line<ConcurrencyTag>(levels, std::move(line), options.vertex_spacing));
@@ -103,27 +106,42 @@ Centerline_graph centerlines_of(const Line_samples& samples,
 /// \param surface triangles, facing outward; if they face inward, seen as a whole, they are turned around. Their
 /// vertices lie on what the mesh stands for
 /// \param options the choices
+/// \param np an optional named parameter:
+/// \cgalNamedParamsBegin
+///   \cgalParamNBegin{callback}
+///     \cgalParamDescription{is told the progress of the search, in [0, 1], and answers whether to go on; is called
+///                           some times a second. If it answers `false`, the lines found by then are joined and
+///                           returned.}
+///     \cgalParamType{an instance of `std::function<bool(double)>`}
+///     \cgalParamDefault{none}
+///   \cgalParamNEnd
+/// \cgalNamedParamsEnd
 /// \throw std::invalid_argument if a radius, a length or a spacing is not positive and finite, or the radii do not
 /// ascend
 ///
 /// Complexity: linear in the number of faces, and in the number of vertices of the result.
-template <class ConcurrencyTag = CGAL::Sequential_tag>
+template <class ConcurrencyTag = CGAL::Sequential_tag,
+          class NamedParameters = CGAL::parameters::Default_named_parameters>
 Centerline_graph centerlines(const Triangle_surface& surface,
-                             const Centerline_options& options = {})
+                             const Centerline_options& options = {},
+                             const NamedParameters& np = CGAL::parameters::default_values())
 {
   internal::check(options);
   return internal::centerlines_of<ConcurrencyTag>(internal::Line_samples(surface, options),
-                                                  surface.sources, options);
+                                                  surface.sources, options,
+                                                  internal::callback_of(np));
 }
 
 /// \ingroup PkgAreaProjectionTransformFeatures
 /// \brief the same for points with normals, which lie on the surface, and the areas that they stand for.
-template <class ConcurrencyTag = CGAL::Sequential_tag>
-Centerline_graph centerlines(const Surfels& points, const Centerline_options& options = {})
+template <class ConcurrencyTag = CGAL::Sequential_tag,
+          class NamedParameters = CGAL::parameters::Default_named_parameters>
+Centerline_graph centerlines(const Surfels& points, const Centerline_options& options = {},
+                             const NamedParameters& np = CGAL::parameters::default_values())
 {
   internal::check(options);
-  return internal::centerlines_of<ConcurrencyTag>(internal::Line_samples(points, options),
-                                                  points.sources, options);
+  return internal::centerlines_of<ConcurrencyTag>(
+      internal::Line_samples(points, options), points.sources, options, internal::callback_of(np));
 }
 
 /// \ingroup PkgAreaProjectionTransformFeatures
@@ -131,14 +149,14 @@ Centerline_graph centerlines(const Surfels& points, const Centerline_options& op
 /// \tparam TriangleMesh a model of `FaceListGraph`
 /// \param mesh the mesh; open, holed, in several parts, as it is
 /// \param options the choices
-/// \param np the named parameters of `surface_from_mesh()`
+/// \param np the named parameters of `surface_from_mesh()`, and `callback`
 /// \throw std::invalid_argument also as `surface_from_mesh()` does
 template <class ConcurrencyTag = CGAL::Sequential_tag, class TriangleMesh,
           class NamedParameters = CGAL::parameters::Default_named_parameters>
 Centerline_graph centerlines(const TriangleMesh& mesh, const Centerline_options& options = {},
                              const NamedParameters& np = CGAL::parameters::default_values())
 {
-  return centerlines<ConcurrencyTag>(surface_from_mesh(mesh, np), options);
+  return centerlines<ConcurrencyTag>(surface_from_mesh(mesh, np), options, np);
 }
 
 } // namespace Area_projection

@@ -261,14 +261,6 @@ salient_points_of(const Feature_surface& surface, const std::vector<std::uint32_
   return points;
 }
 
-/// the callback among named parameters.
-template <class NamedParameters>
-std::function<bool(double)> callback_of(const NamedParameters& np)
-{
-  return CGAL::parameters::choose_parameter(
-      CGAL::parameters::get_parameter(np, internal_np::callback), std::function<bool(double)>());
-}
-
 } // namespace internal
 /// \endcond
 

@@ -80,10 +80,11 @@ public:
   {
     find_ends();
     meet();
-    for(std::size_t e = 0; e < m_ends.size(); ++e)
-      if(!m_ends[e].is_joined)
-        go_straight(m_ends[e]);
+    for(End& end : m_ends)
+      if(!end.is_tip && !end.is_joined)
+        go_straight(end);
     bridge();
+    join_tips();
     return std::move(m_graph);
   }
 
@@ -95,6 +96,7 @@ private:
     Index index;          ///< of the graph
     Vector position, direction;
     double radius;
+    bool is_tip;
     bool is_joined = false;
     std::vector<Ball_graph::Arrival> arrivals;
 
@@ -112,9 +114,10 @@ private:
     for(std::size_t l = 0; l < m_lines.size(); ++l)
       for(int k = 0; k < 2; ++k) {
         const Draft_line& line = m_lines[l];
-        if(line.is_closed || line.ends[std::size_t(k)].is_tip)
+        if(line.is_closed)
           continue;
-        const Tube& tube = line.ends[std::size_t(k)].canal.tube;
+        const Line_end& end = line.ends[std::size_t(k)];
+        const Tube& tube = end.canal.tube;
         const std::size_t v = line.vertex_of_end(k);
         m_ends.push_back({std::int32_t(l),
                           std::uint32_t(v),
@@ -122,6 +125,7 @@ private:
                           tube.center,
                           tube.axis,
                           line.vertices[v].radius,
+                          end.is_tip,
                           false,
                           {}});
       }
@@ -137,6 +141,8 @@ private:
   bool do_meet(const End& a, const End& b) const
   {
     constexpr double near = 1.5, ahead = -0.3, most_gap = 0.6, most_cosine = 0.3;
+    if(a.is_tip || b.is_tip)
+      return false;
     if(a.line == b.line && m_lines[std::size_t(a.line)].vertices.size() < 40)
       return false;
     const Vector way = b.position - a.position;
@@ -270,13 +276,50 @@ private:
   /// \name Ways through balls
   /// @{
 
-  /// the cheapest first, as long as they connect what is not connected.
   void bridge()
+  {
+    bridge([](const End& end, const Ball_graph::Arrival&) { return !end.is_tip; });
+  }
+
+  /// \brief joins tips in which lines turn back, such as a knee: beyond it there is air, but a short way leads to
+  /// another line, too.
+  void join_tips()
+  {
+    bridge([this](const End& end, const Ball_graph::Arrival& arrival) {
+      return end.is_tip && !is_beside(end, arrival.line);
+    });
+  }
+
+  /// \brief whether another line passes beside the line of an end, seen from some radii before that.
+  ///
+  /// Two tubes that are fused along their side have ways between them wherever they are, and are two.
+  bool is_beside(const End& end, std::int32_t other) const
+  {
+    constexpr double before = 4, near = 1.15;
+    const std::vector<Centerline_vertex>& vertices = m_lines[std::size_t(end.line)].vertices;
+    const auto distance_to_end = [&](const Centerline_vertex& vertex) {
+      return (to_eigen(vertex.point) - end.position).norm();
+    };
+    std::size_t v = end.vertex;
+    const std::size_t furthest = v == 0 ? vertices.size() - 1 : 0;
+    while(v != furthest && distance_to_end(vertices[v]) < before * end.radius)
+      v = v < furthest ? v + 1 : v - 1;
+    return std::any_of(
+        m_lines[std::size_t(other)].vertices.begin(), m_lines[std::size_t(other)].vertices.end(),
+        [&](const Centerline_vertex& vertex) {
+          return distance(vertex, vertices[v]) < near * (vertex.radius + vertices[v].radius);
+        });
+  }
+
+  /// the cheapest first of the ways that are allowed, as long as they connect what is not connected.
+  template <class IsAllowed>
+  void bridge(const IsAllowed& is_allowed)
   {
     std::vector<std::tuple<double, std::size_t, std::size_t>> ways;
     for(std::size_t e = 0; e < m_ends.size(); ++e)
       for(std::size_t k = 0; k < m_ends[e].arrivals.size(); ++k)
-        ways.emplace_back(m_ends[e].arrivals[k].cost, e, k);
+        if(is_allowed(m_ends[e], m_ends[e].arrivals[k]))
+          ways.emplace_back(m_ends[e].arrivals[k].cost, e, k);
     std::sort(ways.begin(), ways.end());
     for(const auto& [cost, e, k] : ways) {
       End& end = m_ends[e];

@@ -10,6 +10,7 @@
 #include <CGAL/Area_projection_transform/centerlines/Line_samples.h>
 #include <CGAL/Area_projection_transform/centerlines/Line_tracer.h>
 #include <CGAL/Area_projection_transform/centerlines/find_seed.h>
+#include <CGAL/Area_projection_transform/internal/Progress_report.h>
 #include <CGAL/Area_projection_transform/internal/parallel_workers.h>
 
 #include <algorithm>
@@ -34,9 +35,11 @@ template <class ConcurrencyTag>
 class Line_finder
 {
 public:
-  Line_finder(const Line_samples& samples, const Sample_levels& levels)
+  /// \param progress lives as long as the finder; once it is cancelled, nothing more is found
+  Line_finder(const Line_samples& samples, const Sample_levels& levels, Progress_report& progress)
       : m_samples(samples)
       , m_levels(levels)
+      , m_progress(progress)
       , m_tracer(levels, samples.smallest_radius(), samples.largest_radius())
       , m_claims(samples.size(), -1)
       , m_claimed_points(samples.size(), 0)
@@ -47,13 +50,15 @@ public:
   {
     const std::vector<std::uint32_t> order = seed_order();
     std::size_t next = 0, barren = 0;
-    for(std::size_t tried = 0; tried < most_seeds && barren < most_barren && next < order.size();) {
+    for(std::size_t tried = 0; tried < most_seeds && barren < most_barren && next < order.size() &&
+                               !m_progress.is_cancelled();) {
       std::vector<std::uint32_t> batch;
       for(; next < order.size() && batch.size() < seeds_of_round; ++next)
         if(m_claims[order[next]] < 0)
           batch.push_back(order[next]);
       tried += batch.size();
       barren = follow_seeds(batch, least_length) ? 0 : barren + 1;
+      m_progress.advance(double(batch.size()) / most_seeds);
     }
     return std::move(m_lines);
   }
@@ -171,6 +176,7 @@ private:
 
   const Line_samples& m_samples;
   const Sample_levels& m_levels;
+  Progress_report& m_progress;
   Line_tracer m_tracer;
   std::vector<Traced_line> m_lines;
   std::vector<Axis_point> m_axis;

@@ -7,6 +7,7 @@
 #ifndef CGAL_AREA_PROJECTION_TRANSFORM_CENTERLINES_INNER_BALLS_H
 #define CGAL_AREA_PROJECTION_TRANSFORM_CENTERLINES_INNER_BALLS_H
 
+#include <CGAL/Area_projection_transform/centerlines/Draft_line.h>
 #include <CGAL/Area_projection_transform/centerlines/Sample_levels.h>
 #include <CGAL/Area_projection_transform/centerlines/judge_canal.h>
 #include <CGAL/Area_projection_transform/internal/parallel_workers.h>
@@ -65,25 +66,51 @@ inline void keep_some(std::vector<std::uint32_t>& samples, std::size_t most)
   samples.resize(std::min(samples.size(), most));
 }
 
-/// \brief inner balls of some thousands of samples: as many beside lines as where there is none yet, which may be little of
-/// the surface.
-template <class ConcurrencyTag>
-std::vector<Inner_ball> inner_balls(const Sample_levels& levels, const Line_samples& samples,
-                                    const Claims& claims)
+/// \brief chooses the samples whose inner balls tell how lines can be joined.
+///
+/// Near the ends of lines they must be dense, however thin the tube. Elsewhere some thousands do: as many beside lines as
+/// where there is none yet, which may be little of the surface.
+inline std::vector<std::uint32_t> samples_of_balls(const Sample_levels& levels,
+                                                   const Line_samples& samples,
+                                                   const Claims& claims,
+                                                   const std::vector<Draft_line>& lines)
 {
-  constexpr std::size_t most = 4000;
-  std::vector<std::uint32_t> free, claimed;
+  constexpr std::size_t most = 4000, most_near_end = 100;
+  constexpr double near = 4; // in units of the radius
+  std::vector<std::uint32_t> chosen, free, claimed;
+  for(const Draft_line& line : lines)
+    for(int k = 0; k < 2 && !line.is_closed; ++k) {
+      const Tube& tube = line.ends[std::size_t(k)].canal.tube;
+      std::vector<std::uint32_t> around;
+      levels.finest().cells.for_each_in_ball(
+          tube.center, near * tube.radius,
+          [&](std::size_t i, double) { around.push_back(levels.finest().indices[i]); });
+      keep_some(around, most_near_end);
+      chosen.insert(chosen.end(), around.begin(), around.end());
+    }
   for(std::uint32_t i = 0; i < samples.size(); ++i)
-    if(samples[i].area > 0)
-      (claims[i] < 0 ? free : claimed).push_back(i);
+    (claims[i] < 0 ? free : claimed).push_back(i);
   keep_some(free, most);
   keep_some(claimed, most);
-  free.insert(free.end(), claimed.begin(), claimed.end());
-  std::vector<std::optional<Inner_ball>> found(free.size());
+  chosen.insert(chosen.end(), free.begin(), free.end());
+  chosen.insert(chosen.end(), claimed.begin(), claimed.end());
+  std::sort(chosen.begin(), chosen.end());
+  chosen.erase(std::unique(chosen.begin(), chosen.end()), chosen.end());
+  return chosen;
+}
+
+/// \brief inner balls between lines.
+template <class ConcurrencyTag>
+std::vector<Inner_ball> inner_balls(const Sample_levels& levels, const Line_samples& samples,
+                                    const Claims& claims, const std::vector<Draft_line>& lines)
+{
+  const std::vector<std::uint32_t> chosen = samples_of_balls(levels, samples, claims, lines);
+  std::vector<std::optional<Inner_ball>> found(chosen.size());
   for_each_index<ConcurrencyTag>(found.size(), [&](std::size_t i) {
-    const Line_samples::Sample& sample = samples[free[i]];
-    found[i] = inner_ball(levels, sample.position, sample.normal, samples.smallest_radius(),
-                          samples.largest_radius());
+    const Line_samples::Sample& sample = samples[chosen[i]];
+    if(sample.area > 0)
+      found[i] = inner_ball(levels, sample.position, sample.normal, samples.smallest_radius(),
+                            samples.largest_radius());
   });
   std::vector<Inner_ball> balls;
   for(const std::optional<Inner_ball>& ball : found)

@@ -7,6 +7,8 @@
 #ifndef CGAL_AREA_PROJECTION_TRANSFORM_INTERNAL_PROGRESS_REPORT_H
 #define CGAL_AREA_PROJECTION_TRANSFORM_INTERNAL_PROGRESS_REPORT_H
 
+#include <CGAL/Named_function_parameters.h>
+
 #include <algorithm>
 #include <atomic>
 #include <functional>
@@ -46,6 +48,14 @@ private:
   double m_done = 0;
   std::atomic<bool> m_is_cancelled{false};
 };
+
+/// the callback among named parameters.
+template <class NamedParameters>
+std::function<bool(double)> callback_of(const NamedParameters& np)
+{
+  return CGAL::parameters::choose_parameter(
+      CGAL::parameters::get_parameter(np, internal_np::callback), std::function<bool(double)>());
+}
 
 } // namespace internal
 } // namespace Area_projection

@@ -229,19 +229,19 @@ TEST(Centerlines, of_tubes_that_touch_are_two)
   EXPECT_NE(first, second);
 }
 
-/// three tubes that come from the same place, without what of each is inside another.
-Soup three_tubes()
+/// three tubes that come from the same place, at an angle to each other, without what of each is inside another.
+Soup three_tubes(double angle = 2 * pi / 3)
 {
   Soup all;
   for(int k = 0; k < 3; ++k)
-    all = shapes::joined(all, shapes::moved(round_tube(8), [k](const Point_3& p) {
-                           const double a = 2 * pi * k / 3, c = std::cos(a), s = std::sin(a);
+    all = shapes::joined(all, shapes::moved(round_tube(8), [=](const Point_3& p) {
+                           const double a = angle * k, c = std::cos(a), s = std::sin(a);
                            return Point_3(c * p.z() - s * p.x(), s * p.z() + c * p.x(), p.y());
                          }));
-  return shapes::without_faces(all, [](const Point_3& c) {
+  return shapes::without_faces(all, [=](const Point_3& c) {
     int inside = 0;
     for(int k = 0; k < 3; ++k) {
-      const double a = 2 * pi * k / 3, along = std::cos(a) * c.x() + std::sin(a) * c.y();
+      const double a = angle * k, along = std::cos(a) * c.x() + std::sin(a) * c.y();
       const double across = std::cos(a) * c.y() - std::sin(a) * c.x();
       inside += along > 0 && std::hypot(across, c.z()) < 0.98 ? 1 : 0;
     }
@@ -260,6 +260,64 @@ TEST(Centerlines, meet_where_tubes_do)
   for(const std::size_t node : nodes) {
     const double from_center = std::sqrt((graph[node].point - Point_3(0, 0, 0)).squared_length());
     EXPECT_NEAR(from_center, degree(node, graph) == 3 ? 0 : 8, 0.05);
+  }
+}
+
+// At 45 degrees two tubes are one up to 2.4 radii from where their axes meet, so that 0.2 in their direction, which is
+// that of tubes open to one side, are half a radius there.
+TEST(Centerlines, meet_at_small_angles)
+{
+  const Centerline_graph graph = lines_of(three_tubes(pi / 4));
+  EXPECT_EQ(number_of_leaves(graph), 3u);
+  EXPECT_EQ(number_of_parts(graph), 1u);
+  std::size_t branching = 0;
+  for(const std::size_t node : AP::nodes(graph))
+    if(degree(node, graph) > 2) {
+      ++branching;
+      EXPECT_LT(std::sqrt((graph[node].point - Point_3(0, 0, 0)).squared_length()), 0.5);
+    }
+  EXPECT_EQ(branching, 1u);
+}
+
+/// a straight line along x of 8 radii, and a bow over its middle whose ends are that far apart and that is 1.5 times as
+/// long.
+AP::internal::Draft_graph line_and_bow(double width)
+{
+  constexpr int pieces = 80;
+  AP::internal::Draft_line line;
+  for(int i = 0; i <= pieces; ++i) {
+    Centerline_vertex vertex;
+    vertex.point = Point_3(8. * i / pieces - 4, 0, 0);
+    vertex.radius = 1;
+    line.vertices.push_back(vertex);
+  }
+  AP::internal::Draft_graph graph({line});
+  const auto at = [&](double x) {
+    return AP::internal::Draft_graph::Index(std::lround((x + 4) / 8 * pieces));
+  };
+  Centerline_vertex top;
+  top.point = Point_3(0, width * std::sqrt(1.5 * 1.5 - 1) / 2, 0);
+  top.radius = 1;
+  top.origin = Centerline_origin::BRIDGED;
+  const auto index = graph.add(top);
+  graph.connect(at(-width / 2), index);
+  graph.connect(index, at(width / 2));
+  return graph;
+}
+
+// 2.5 widths are the length of the loop; the axis of a ring of radius 1 is 2 pi long at least.
+TEST(Centerlines, have_no_loop_without_a_hole)
+{
+  for(const double width : {1., 2., 3., 4.}) {
+    AP::internal::Draft_graph graph = line_and_bow(width);
+    AP::internal::drop_small_loops(graph);
+    std::size_t branching = 0, leaves = 0;
+    for(AP::internal::Draft_graph::Index v = 0; v < graph.vertices.size(); ++v) {
+      branching += graph.degree(v) > 2 ? 1 : 0;
+      leaves += graph.degree(v) == 1 ? 1 : 0;
+    }
+    EXPECT_EQ(branching, 2.5 * width < 2 * pi ? 0u : 2u) << width;
+    EXPECT_EQ(leaves, 2u) << width; // those of the straight line
   }
 }
 

@@ -52,6 +52,7 @@ Draft_graph draft_graph(const Sample_levels& levels, const Line_samples& samples
     extend_ends(graph, lines, options.vertex_spacing);
   prune_twigs(graph, options.least_length);
   merge_nodes(graph);
+  drop_small_loops(graph);
   return graph;
 }
 

@@ -58,12 +58,18 @@ public:
   }
 
 private:
-  static constexpr std::size_t most_dropped = 6, least_left = 4;
+  static constexpr std::size_t most_dropped = 8, least_left = 4;
+
+  /// the radius of a line before its end, and how it changes there.
+  struct Usual
+  {
+    double radius, slope;
+  };
 
   /// \param sign whether axes point to the back (1) or away from it (-1)
   static Dropped trim_back(std::vector<Fitted_canal>& points, double sign)
   {
-    const double usual = usual_slope(points, sign);
+    const Usual usual = usual_behind(points, sign);
     Dropped dropped;
     for(std::size_t k = 0; k < most_dropped && points.size() > least_left; ++k) {
       if(!is_bad(points.back(), sign, usual))
@@ -76,21 +82,29 @@ private:
     return dropped;
   }
 
-  static double usual_slope(const std::vector<Fitted_canal>& points, double sign)
+  static Usual usual_behind(const std::vector<Fitted_canal>& points, double sign)
   {
     constexpr std::size_t first = 3, last = 12;
-    std::vector<double> slopes;
-    for(std::size_t k = std::min(first, points.size() / 2); k < std::min(last, points.size()); ++k)
-      slopes.push_back(sign * points[points.size() - 1 - k].canal.tube.slope);
-    return median(slopes);
+    std::vector<double> slopes, radii;
+    for(std::size_t k = std::min(first, points.size() / 2); k < std::min(last, points.size());
+        ++k) {
+      const Tube& tube = points[points.size() - 1 - k].canal.tube;
+      slopes.push_back(sign * tube.slope);
+      // As it would be at the end.
+      radii.push_back(tube.radius +
+                      slopes.back() * (points.back().canal.tube.center - tube.center).norm());
+    }
+    return {median(radii), median(slopes)};
   }
 
-  static bool is_bad(const Fitted_canal& point, double sign, double usual_slope)
+  static bool is_bad(const Fitted_canal& point, double sign, const Usual& usual)
   {
-    constexpr double least_ahead = 0.15, most_change = 0.08, most_closing = 0.25;
+    constexpr double least_ahead = 0.15, most_change = 0.08, most_closing = 0.25,
+                     most_widened = 1.12;
     const double ahead = sign > 0 ? point.support.ahead : 1 - point.support.ahead;
     return ahead < least_ahead || std::abs(point.support.closing) > most_closing ||
-           std::abs(sign * point.canal.tube.slope - usual_slope) > most_change;
+           std::abs(sign * point.canal.tube.slope - usual.slope) > most_change ||
+           point.canal.tube.radius > most_widened * usual.radius;
   }
 };
 

@@ -137,24 +137,46 @@ private:
   /// \name Ends that meet
   /// @{
 
-  /// whether two ends are near each other, and each is ahead of the other or beside that.
+  /// \brief whether two ends are near each other, each is ahead of the other or beside that, and their axes pass each
+  /// other nearby.
   bool do_meet(const End& a, const End& b) const
   {
-    constexpr double near = 1.5, ahead = -0.3, most_gap = 0.6, most_cosine = 0.3;
-    if(a.is_tip || b.is_tip)
-      return false;
+    constexpr double near = 2, most_gap = 0.6;
     if(a.line == b.line && m_lines[std::size_t(a.line)].vertices.size() < 40)
       return false;
     const Vector way = b.position - a.position;
-    const double radii = a.radius + b.radius, least = std::min(a.radius, b.radius);
-    if(a.direction.dot(b.direction) > most_cosine || way.norm() > near * radii ||
-       way.dot(a.direction) < ahead * a.radius || -way.dot(b.direction) < ahead * b.radius)
+    if(way.norm() > near * (a.radius + b.radius) || !(do_face(a, b) || do_converge(a, b)))
       return false;
     const Vector across = a.direction.cross(b.direction);
     const double sine = across.norm();
     const double gap =
         sine > 0.2 ? std::abs(way.dot(across)) / sine : way.cross(a.direction).norm();
-    return gap < most_gap * least && is_reached(a, b);
+    return gap < most_gap * std::min(a.radius, b.radius) && is_reached(a, b);
+  }
+
+  static bool do_face(const End& a, const End& b)
+  {
+    constexpr double ahead = -0.3, most_cosine = 0.3;
+    const Vector way = b.position - a.position;
+    return a.direction.dot(b.direction) <= most_cosine &&
+           way.dot(a.direction) >= ahead * a.radius && -way.dot(b.direction) >= ahead * b.radius;
+  }
+
+  /// \brief whether the axes of two ends that point the same way come together not far ahead.
+  ///
+  /// Tubes that meet at a small angle are one long before their axes meet.
+  static bool do_converge(const End& a, const End& b)
+  {
+    constexpr double most_cosine = 0.85, furthest = 4;
+    const Vector way = b.position - a.position;
+    const double cosine = a.direction.dot(b.direction);
+    if(cosine > most_cosine)
+      return false;
+    // Where on each axis the other is nearest.
+    const double p = way.dot(a.direction), q = way.dot(b.direction), d = 1 - cosine * cosine;
+    const double along_a = (p - cosine * q) / d, along_b = (cosine * p - q) / d;
+    return along_a > 0 && along_a < furthest * a.radius && along_b > 0 &&
+           along_b < furthest * b.radius;
   }
 
   /// whether there is a way from one end to the line of the other, inside the shape.

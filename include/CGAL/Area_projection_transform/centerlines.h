@@ -15,6 +15,7 @@
 #include <CGAL/Area_projection_transform/centerlines/Draft_line.h>
 #include <CGAL/Area_projection_transform/centerlines/Line_joiner.h>
 #include <CGAL/Area_projection_transform/centerlines/assign_branches.h>
+#include <CGAL/Area_projection_transform/centerlines/drop_loops.h>
 #include <CGAL/Area_projection_transform/centerlines/find_lines.h>
 #include <CGAL/Area_projection_transform/centerlines/finish_graph.h>
 #include <CGAL/Area_projection_transform/centerlines/inner_balls.h>
@@ -48,11 +49,11 @@ Draft_graph draft_graph(const Sample_levels& levels, const Line_samples& samples
                                                         options.vertex_spacing)
                                 .join()
                           : Draft_graph(lines);
+  drop_narrow_loops(graph);
   if(options.do_extend)
     extend_ends(graph, lines, options.vertex_spacing);
   prune_twigs(graph, options.least_length);
   merge_nodes(graph);
-  drop_small_loops(graph);
   return graph;
 }
 

@@ -48,13 +48,23 @@ public:
   /// \return what was dropped at the front and at the back
   static std::array<Dropped, 2> trim(Traced_line& line)
   {
+    std::array<Dropped, 2> dropped;
     if(line.is_closed)
-      return {};
+      return dropped;
     std::vector<Fitted_canal>& points = line.points;
-    std::reverse(points.begin(), points.end());
-    const Dropped front = trim_back(points, -1);
-    std::reverse(points.begin(), points.end());
-    return {{front, trim_back(points, 1)}};
+    for(int end = 0; end < 2; ++end)
+      dropped[std::size_t(end)].points = number_of_bad(points, end);
+    while(dropped[0].points + dropped[1].points > 0 &&
+          dropped[0].points + dropped[1].points + least_left > points.size())
+      spare_one(dropped);
+    for(int end = 0; end < 2; ++end) {
+      Dropped& those = dropped[std::size_t(end)];
+      for(std::size_t k = 0; k < those.points; ++k)
+        those.length += distance(point_from(points, end, k), point_from(points, end, k + 1));
+    }
+    points.erase(points.end() - std::ptrdiff_t(dropped[1].points), points.end());
+    points.erase(points.begin(), points.begin() + std::ptrdiff_t(dropped[0].points));
+    return dropped;
   }
 
 private:
@@ -66,44 +76,63 @@ private:
     double radius, slope;
   };
 
-  /// \param sign whether axes point to the back (1) or away from it (-1)
-  static Dropped trim_back(std::vector<Fitted_canal>& points, double sign)
+  /// where most is dropped one point less is, at both ends if they are alike.
+  static void spare_one(std::array<Dropped, 2>& dropped)
   {
-    const Usual usual = usual_behind(points, sign);
-    Dropped dropped;
-    for(std::size_t k = 0; k < most_dropped && points.size() > least_left; ++k) {
-      if(!is_bad(points.back(), sign, usual))
-        break;
-      dropped.length +=
-          (points.back().canal.tube.center - points[points.size() - 2].canal.tube.center).norm();
-      ++dropped.points;
-      points.pop_back();
-    }
-    return dropped;
+    const std::size_t most = std::max(dropped[0].points, dropped[1].points);
+    for(Dropped& those : dropped)
+      if(those.points == most)
+        --those.points;
   }
 
-  static Usual usual_behind(const std::vector<Fitted_canal>& points, double sign)
+  /// a point counted from the front (0) or the back (1).
+  static const Fitted_canal& point_from(const std::vector<Fitted_canal>& points, int end,
+                                        std::size_t k)
+  {
+    return points[end == 0 ? k : points.size() - 1 - k];
+  }
+
+  static double distance(const Fitted_canal& a, const Fitted_canal& b)
+  {
+    return (a.canal.tube.center - b.canal.tube.center).norm();
+  }
+
+  static std::size_t number_of_bad(const std::vector<Fitted_canal>& points, int end)
+  {
+    const Usual usual = usual_behind(points, end);
+    const std::size_t most =
+        points.size() > least_left ? std::min(most_dropped, points.size() - least_left) : 0;
+    std::size_t bad = 0;
+    while(bad < most && is_bad(point_from(points, end, bad), end, usual))
+      ++bad;
+    return bad;
+  }
+
+  static Usual usual_behind(const std::vector<Fitted_canal>& points, int end)
   {
     constexpr std::size_t first = 3, last = 12;
     std::vector<double> slopes, radii;
     for(std::size_t k = std::min(first, points.size() / 2); k < std::min(last, points.size());
         ++k) {
-      const Tube& tube = points[points.size() - 1 - k].canal.tube;
-      slopes.push_back(sign * tube.slope);
+      const Fitted_canal& point = point_from(points, end, k);
+      slopes.push_back(outward(end) * point.canal.tube.slope);
       // As it would be at the end.
-      radii.push_back(tube.radius +
-                      slopes.back() * (points.back().canal.tube.center - tube.center).norm());
+      radii.push_back(point.canal.tube.radius +
+                      slopes.back() * distance(point, point_from(points, end, 0)));
     }
     return {median(radii), median(slopes)};
   }
 
-  static bool is_bad(const Fitted_canal& point, double sign, const Usual& usual)
+  /// whether axes point to the end (1) or away from it (-1)
+  static double outward(int end) { return end == 0 ? -1 : 1; }
+
+  static bool is_bad(const Fitted_canal& point, int end, const Usual& usual)
   {
     constexpr double least_ahead = 0.15, most_change = 0.08, most_closing = 0.25,
                      most_widened = 1.12;
-    const double ahead = sign > 0 ? point.support.ahead : 1 - point.support.ahead;
+    const double ahead = end == 1 ? point.support.ahead : 1 - point.support.ahead;
     return ahead < least_ahead || std::abs(point.support.closing) > most_closing ||
-           std::abs(sign * point.canal.tube.slope - usual.slope) > most_change ||
+           std::abs(outward(end) * point.canal.tube.slope - usual.slope) > most_change ||
            point.canal.tube.radius > most_widened * usual.radius;
   }
 };

@@ -255,9 +255,44 @@ private:
       node.radius += m_ends[e].radius / double(group.size());
     const Index index = m_graph.add(node);
     for(const std::size_t e : group) {
+      retreat(m_ends[e], place);
       connect_straight(m_ends[e], index);
       m_components.unite(std::size_t(m_ends[e].line), std::size_t(m_ends[group[0]].line));
     }
+  }
+
+  /// \brief lets a line end before a place that it has passed, so that it need not come back.
+  ///
+  /// More than half of a line remains.
+  void retreat(End& end, const Vector& place)
+  {
+    const std::vector<Centerline_vertex>& vertices = m_lines[std::size_t(end.line)].vertices;
+    const bool is_front = end.vertex == 0;
+    for(std::size_t k = 1; 2 * k + 1 < vertices.size() && end.seen(place).first < 0; ++k) {
+      end.vertex = is_front ? end.vertex + 1 : end.vertex - 1;
+      const Centerline_vertex& vertex = vertices[end.vertex];
+      const Index before = m_graph.first_of_line[std::size_t(end.line)] + end.vertex;
+      m_graph.disconnect(end.index, before);
+      end.index = before;
+      end.position = to_eigen(vertex.point);
+      end.direction = to_eigen(vertex.tangent) * (is_front ? -1 : 1);
+      end.radius = vertex.radius;
+    }
+  }
+
+  /// whether a line did not retreat from one of its vertices.
+  bool is_left(std::int32_t line, std::size_t vertex) const
+  {
+    return m_graph.degree(m_graph.first_of_line[std::size_t(line)] + Index(vertex)) > 0;
+  }
+
+  /// the vertex of the graph where a line is, or ends now, near one of its vertices.
+  Index nearest_left(std::int32_t line, std::size_t vertex) const
+  {
+    const std::size_t number = m_lines[std::size_t(line)].vertices.size();
+    while(!is_left(line, vertex))
+      vertex = 2 * vertex < number ? vertex + 1 : vertex - 1;
+    return m_graph.first_of_line[std::size_t(line)] + Index(vertex);
   }
 
   void connect_straight(End& end, Index to)
@@ -281,8 +316,8 @@ private:
       for(std::size_t v = 0; v < line.vertices.size(); ++v) {
         const double r = std::max(line.vertices[v].radius, end.radius);
         const auto [ahead, gap] = end.seen(to_eigen(line.vertices[v].point));
-        if(ahead > before * end.radius && ahead < furthest * r && gap < most_gap * r &&
-           (!best || gap < least)) {
+        if(is_left(arrival.line, v) && ahead > before * end.radius && ahead < furthest * r &&
+           gap < most_gap * r && (!best || gap < least)) {
           best = v;
           least = gap;
         }
@@ -361,7 +396,7 @@ private:
     for(int i = 0; i < times; ++i)
       for(std::size_t k = 1; k + 1 < places.size(); ++k)
         places[k] = 0.5 * places[k] + 0.25 * (places[k - 1] + places[k + 1]);
-    const Index target = m_graph.first_of_line[std::size_t(arrival.line)] + arrival.vertex;
+    const Index target = nearest_left(arrival.line, arrival.vertex);
     Index last = end.index;
     Vector direction = end.direction;
     for(std::size_t k = 1; k < places.size(); ++k) {

@@ -12,7 +12,6 @@
 #include <Eigen/Core>
 
 #include <algorithm>
-#include <bitset>
 #include <cmath>
 #include <cstddef>
 #include <cstdint>
@@ -76,7 +75,7 @@ public:
     if(!(m_fitted > 0) || !(m_weighed > 0))
       return support;
     support.deviation = std::sqrt(m_squares / m_fitted) / m_canal.tube.radius;
-    support.coverage = double(m_covered.count()) / double(m_covered.size());
+    support.coverage = coverage();
     const double mean = 0.5 * (m_xx + m_yy);
     const double off = std::hypot(0.5 * (m_xx - m_yy), m_xy);
     support.isotropy = (mean - off) / (mean + off);
@@ -125,19 +124,31 @@ private:
   /// a sample covers as much of the circumference as a square of its area.
   void cover(const Canal::Place& at, double area)
   {
-    constexpr double turn = 2 * 3.14159265358979323846;
-    const double number = double(m_covered.size());
     const double middle =
-        std::atan2(at.radial.dot(m_across.second), at.radial.dot(m_across.first)) / turn * number;
-    const double half = 0.5 * std::min(std::sqrt(area) / (at.model * turn), 0.15) * number;
-    for(double k = std::floor(middle - half); k <= middle + half; k += 1)
-      m_covered.set(std::size_t(k + 2 * number) % m_covered.size());
+        std::atan2(at.radial.dot(m_across.second), at.radial.dot(m_across.first)) / turn;
+    const double half = 0.5 * std::min(std::sqrt(area) / (at.model * turn), 0.15);
+    m_covered.emplace_back(middle - half, middle + half);
   }
 
+  /// the part of the circumference that is covered, wherever angles are counted from.
+  double coverage() const
+  {
+    std::vector<std::pair<double, double>> arcs = m_covered;
+    std::sort(arcs.begin(), arcs.end());
+    double uncovered = 0, covered_to = arcs.front().second;
+    for(const auto& [begin, end] : arcs) {
+      uncovered += std::max(begin - covered_to, 0.);
+      covered_to = std::max(covered_to, end);
+    }
+    uncovered += std::max(arcs.front().first + 1 - covered_to, 0.);
+    return 1 - uncovered;
+  }
+
+  static constexpr double turn = 2 * 3.14159265358979323846;
   const Canal& m_canal;
   const Claims& m_claims;
   std::pair<Eigen::Vector3d, Eigen::Vector3d> m_across;
-  std::bitset<64> m_covered;
+  std::vector<std::pair<double, double>> m_covered; // in turns
   std::size_t m_voters = 0;
   double m_area = 0, m_area_within = 0, m_fitted = 0, m_squares = 0, m_weighed = 0, m_ahead = 0,
          m_last = 0, m_claimed = 0;

@@ -11,9 +11,6 @@
 
 #include <algorithm>
 #include <cstddef>
-#include <map>
-#include <set>
-#include <utility>
 #include <vector>
 
 namespace CGAL {
@@ -89,96 +86,45 @@ inline void prune_twigs(Draft_graph& graph, double least_length)
   }
 }
 
-/// \brief makes one node of two that are within a part of their radius of each other.
+/// \brief the shortest chain between two nodes that are within a part of their radius of each other, from the larger to the
+/// smaller; empty if there is none.
+inline std::vector<Draft_graph::Index> chain_of_near_nodes(const Draft_graph& graph)
+{
+  constexpr double near = 0.6; // of the radius
+  std::vector<Draft_graph::Index> shortest;
+  double least = near;
+  for(Draft_graph::Index v = 0; v < graph.vertices.size(); ++v) {
+    if(graph.degree(v) < 3)
+      continue;
+    for(const Draft_graph::Index next : graph.neighbours[v]) {
+      const std::vector<Draft_graph::Index> chain = graph.chain(v, next);
+      const Draft_graph::Index w = chain.back();
+      const double radius = graph.vertices[v].radius, length = graph.length(chain) / radius;
+      if(w == v || graph.degree(w) < 3 || graph.vertices[w].radius > radius || !(length < least))
+        continue;
+      least = length;
+      shortest = chain;
+    }
+  }
+  return shortest;
+}
+
+/// \brief makes one node of two that are within a part of their radius of each other, where the larger is: the nearest
+/// first.
 ///
 /// What was between them goes.
 inline void merge_nodes(Draft_graph& graph)
 {
-  constexpr double near = 0.6; // of the radius
-  for(Draft_graph::Index v = 0; v < graph.vertices.size(); ++v) {
-    if(graph.degree(v) < 3)
-      continue;
-    for(std::size_t k = 0; k < graph.degree(v);) {
-      const std::vector<Draft_graph::Index> chain = graph.chain(v, graph.neighbours[v][k]);
-      const Draft_graph::Index w = chain.back();
-      const double radius = std::max(graph.vertices[v].radius, graph.vertices[w].radius);
-      if(w == v || graph.degree(w) < 3 || !(graph.length(chain) < near * radius)) {
-        ++k;
-        continue;
-      }
-      graph.remove(chain);
-      const std::vector<Draft_graph::Index> others = graph.neighbours[w];
-      for(const Draft_graph::Index other : others) {
-        graph.disconnect(w, other);
-        graph.connect(v, other);
-      }
-      k = 0;
-    }
-  }
-}
-
-/// \brief whether there is a way from the end of a chain back to its start that does not use it and is not longer than
-/// that.
-inline bool has_way_back(const Draft_graph& graph, const std::vector<Draft_graph::Index>& chain,
-                         double furthest)
-{
-  using Index = Draft_graph::Index;
-  if(chain.front() == chain.back())
-    return true;
-  std::map<Index, double> reached; // by which length
-  std::set<std::pair<double, Index>> queue{{0, chain.back()}};
-  reached[chain.back()] = 0;
-  while(!queue.empty() && queue.begin()->second != chain.front()) {
-    const auto [length, v] = *queue.begin();
-    queue.erase(queue.begin());
-    for(const Index w : graph.neighbours[v]) {
-      const bool is_of_chain = (v == chain.back() && w == chain[chain.size() - 2]) ||
-                               (w == chain.front() && v == chain[1]);
-      const double next = length + distance(graph.vertices[v], graph.vertices[w]);
-      const auto known = reached.find(w);
-      if(is_of_chain || next > furthest || (known != reached.end() && known->second <= next))
-        continue;
-      if(known != reached.end())
-        queue.erase({known->second, w});
-      reached[w] = next;
-      queue.insert({next, w});
-    }
-  }
-  return !queue.empty();
-}
-
-/// \brief drops chains that close a loop which is too short to go around a hole.
-///
-/// The axis of a ring is 2 pi of its radius long at least, when its hole is a point. Of a loop the chain of which the
-/// largest part is a bridge goes.
-inline void drop_small_loops(Draft_graph& graph)
-{
-  using Chain = std::vector<Draft_graph::Index>;
-  constexpr double shortest = 2 * 3.14159265358979323846; // in units of the radius
-  const auto bridged_part = [&](const Chain& chain) {
-    const auto bridged = std::count_if(chain.begin(), chain.end(), [&](Draft_graph::Index v) {
-      return graph.vertices[v].origin == Centerline_origin::BRIDGED;
-    });
-    return double(bridged) / double(chain.size());
-  };
   while(true) {
-    Chain worst;
-    for(Draft_graph::Index v = 0; v < graph.vertices.size(); ++v) {
-      if(graph.degree(v) < 3)
-        continue;
-      for(const Draft_graph::Index next : graph.neighbours[v]) {
-        const Chain chain = graph.chain(v, next);
-        if(graph.degree(chain.back()) < 3 ||
-           !(bridged_part(chain) > (worst.empty() ? 0 : bridged_part(worst))))
-          continue;
-        const double left = shortest * graph.mean_radius(chain) - graph.length(chain);
-        if(left > 0 && has_way_back(graph, chain, left))
-          worst = chain;
-      }
-    }
-    if(worst.empty())
+    const std::vector<Draft_graph::Index> chain = chain_of_near_nodes(graph);
+    if(chain.empty())
       return;
-    graph.remove(worst);
+    graph.remove(chain);
+    const std::vector<Draft_graph::Index> others = graph.neighbours[chain.back()];
+    for(const Draft_graph::Index other : others) {
+      graph.disconnect(chain.back(), other);
+      graph.connect(chain.front(), other);
+    }
   }
 }
 

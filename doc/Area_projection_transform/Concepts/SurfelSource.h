@@ -17,6 +17,7 @@ public:
   /// the number of elements: of triangles, or of points.
   std::size_t size() const;
 
+  /// whether there are none.
   bool empty() const;
 
   /// the bounding box of the elements.

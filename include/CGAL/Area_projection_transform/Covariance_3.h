@@ -18,7 +18,12 @@ namespace Area_projection {
 /// In squared units of length. All zero for a single point.
 struct Covariance_3
 {
-  double xx = 0, xy = 0, xz = 0, yy = 0, yz = 0, zz = 0;
+  double xx = 0; ///< the mean of `x²`, from the mean of `x`
+  double xy = 0; ///< that of `x y`; so also the others
+  double xz = 0; ///< \copybrief xy
+  double yy = 0; ///< \copybrief xy
+  double yz = 0; ///< \copybrief xy
+  double zz = 0; ///< \copybrief xy
 
   /// the mean squared distance from the mean.
   double trace() const { return xx + yy + zz; }

@@ -46,18 +46,25 @@ public:
     }
   }
 
+  /// the centre of the voxel (0, 0, 0).
   const Point_3& origin() const { return m_origin; }
+  /// the distance of neighbours, which is the side of a voxel.
   double spacing() const { return m_spacing; }
+  /// the numbers of lattice points along the axes.
   const std::array<int, 3>& size() const { return m_size; }
 
+  /// how many rows there are: `size()[1] * size()[2]`.
   std::size_t number_of_rows() const { return std::size_t(m_size[1]) * std::size_t(m_size[2]); }
+  /// how many lattice points there are.
   std::size_t number_of_voxels() const { return number_of_rows() * std::size_t(m_size[0]); }
 
+  /// the index of the row of all points with these `j` and `k`.
   std::size_t row(int j, int k) const
   {
     return std::size_t(j) + std::size_t(m_size[1]) * std::size_t(k);
   }
 
+  /// the lattice point (`i`, `j`, `k`), inside the grid or not.
   Point_3 point(int i, int j, int k) const
   {
     return Point_3(m_origin.x() + m_spacing * i, m_origin.y() + m_spacing * j,

@@ -48,10 +48,13 @@ public:
                                     "] has not a larger radius than the one before");
   }
 
+  /// the voxels that have a value.
   const Row_spans& region() const { return *m_region; }
   /// the region, for what outlives the map.
   const std::shared_ptr<const Row_spans>& shared_region() const { return m_region; }
+  /// the lattice on which the voxels lie.
   const Grid_3& grid() const { return m_region->grid(); }
+  /// the scales, their radii ascending.
   const std::vector<Scale>& scales() const { return m_scales; }
 
   /// the largest value over the scales; 0 outside of the region.
@@ -68,6 +71,7 @@ public:
     return voxel < m_values.size() ? radius_of_index(m_scale_indices[voxel]) : 0.;
   }
 
+  /// the radius of a scale index, as `scale_indices()` has them; 0 for `no_scale`.
   double radius_of_index(std::uint8_t index) const
   {
     return index == no_scale ? 0. : m_scales[index].radius;
@@ -76,10 +80,14 @@ public:
   /// \name Storage
   /// The values and scale indices at the places that `Row_spans::index()` gives.
   /// @{
+
+  /// the largest values over the scales.
   const std::vector<float>& values() const { return m_values; }
+  /// the positions in `scales()` of those that attain them, or `no_scale`.
   const std::vector<std::uint8_t>& scale_indices() const { return m_scale_indices; }
   /// @}
 
+  /// raises the values at some voxels to those of a scale, where these are larger.
   void consume(std::size_t scale_index, const Scale&, std::size_t first_voxel, const float* values,
                std::size_t number)
   {

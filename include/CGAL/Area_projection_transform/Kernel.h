@@ -18,8 +18,13 @@ namespace Area_projection {
 /// any other kernel (a model of `AreaProjectionTraits_3`); they are converted once, on entry.
 using Kernel = CGAL::Simple_cartesian<double>;
 
-using Point_3 = Kernel::Point_3;   ///< \ingroup PkgAreaProjectionTransformGround
-using Vector_3 = Kernel::Vector_3; ///< \ingroup PkgAreaProjectionTransformGround
+/// \ingroup PkgAreaProjectionTransformGround
+/// the points of `Kernel`.
+using Point_3 = Kernel::Point_3;
+
+/// \ingroup PkgAreaProjectionTransformGround
+/// the vectors of `Kernel`.
+using Vector_3 = Kernel::Vector_3;
 
 /// \cond SKIP_IN_MANUAL
 namespace internal {

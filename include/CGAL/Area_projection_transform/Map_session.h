@@ -31,9 +31,12 @@ namespace Area_projection {
 /// \brief makes a `Grid_projector` with the same kernel and sampling for any voxels.
 struct Make_grid_projector
 {
+  /// the kernel, as `ProjectionKernel_3::nested_balls()` tells it.
   std::vector<Nested_ball> kernel = Ball_kernel_3().nested_balls();
+  /// the distance of samples of the surface, in units of `σ`; see `Grid_projector`.
   double sampling_ratio = Grid_projector::default_sampling_ratio;
 
+  /// returns a projector for the voxels of `region`.
   Grid_projector operator()(const Row_spans& region) const
   {
     return Grid_projector(region, kernel, sampling_ratio);
@@ -79,12 +82,14 @@ public:
       , m_make_projector(std::move(make_projector))
   {}
 
+  /// the same, with a surface that the session alone holds.
   Map_session(ScaleSpace surface, double voxel_size, double margin = 0,
               MakeProjector make_projector = MakeProjector())
       : Map_session(std::make_shared<const ScaleSpace>(std::move(surface)), voxel_size, margin,
                     std::move(make_projector))
   {}
 
+  /// the surface.
   const ScaleSpace& surface() const { return *m_surface; }
 
   /// the voxels of a side.
@@ -116,6 +121,9 @@ public:
 
   /// \brief hands the values of the scales to a sink, as `project_scales()` does.
   /// \tparam Sink a model of `MultiscaleSink`, made for `region(side)` and `scales`
+  /// \param scales the scales, in any order
+  /// \param side the side of the surface
+  /// \param sink receives the values
   /// \param np the named parameters of `project_scales()`
   /// \throw std::invalid_argument as `project_scales()` does
   template <class Sink, class NamedParameters = CGAL::parameters::Default_named_parameters>
@@ -125,6 +133,8 @@ public:
   /// \brief returns the map of one scale: `APT / (4πR²)` at the places that `region(side)->index()` gives.
   ///
   /// Valid until the next question or change. A map that is kept is not computed again; the visitor is
+  /// \param scale the radius and `σ`, in the units of the surface
+  /// \param side the side of the surface
   /// told of those that are.
   /// \param np the named parameters of `project_scales()`
   template <class NamedParameters = CGAL::parameters::Default_named_parameters>
@@ -135,6 +145,8 @@ public:
   /// \brief returns the joint map of some scales.
   ///
   /// The visitor is told of the scales that are computed, not of those that are kept.
+  /// \param scales the scales, their radii ascending
+  /// \param side the side of the surface
   /// \param np the named parameters of `project_scales()`
   /// \throw std::invalid_argument if the radii do not ascend, and as `project_scales()` does
   template <class NamedParameters = CGAL::parameters::Default_named_parameters>

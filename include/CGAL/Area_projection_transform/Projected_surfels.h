@@ -23,13 +23,16 @@ namespace Area_projection {
 /// Stored as parallel arrays.
 struct Projected_surfels
 {
-  std::vector<Point_3> positions; ///< the means of the pieces
-  std::vector<double> areas;
+  std::vector<Point_3> positions;        ///< the means of the pieces
+  std::vector<double> areas;             ///< of the pieces, not negative
   std::vector<Covariance_3> covariances; ///< of the positions within each piece
 
+  /// the number of pieces.
   std::size_t size() const { return positions.size(); }
+  /// whether there are none.
   bool empty() const { return positions.empty(); }
 
+  /// removes all pieces, and keeps the memory.
   void clear()
   {
     positions.clear();
@@ -37,6 +40,7 @@ struct Projected_surfels
     covariances.clear();
   }
 
+  /// takes the memory for some pieces.
   void reserve(std::size_t number)
   {
     positions.reserve(number);

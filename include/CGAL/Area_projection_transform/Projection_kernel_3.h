@@ -28,6 +28,7 @@ struct Nested_ball
 /// \cgalModels `ProjectionKernel_3`
 struct Ball_kernel_3
 {
+  /// one ball, of the radius `σ`, with the weight 1.
   std::vector<Nested_ball> nested_balls() const { return {{1., 1.}}; }
 };
 
@@ -85,6 +86,7 @@ struct Epanechnikov_kernel_3
 {
   unsigned number_of_balls = 8; ///< the mixture is within `1/(2 number_of_balls)` of the profile
 
+  /// \throw std::invalid_argument if there is no ball.
   std::vector<Nested_ball> nested_balls() const
   {
     return internal::nested_balls_of_profile(number_of_balls,

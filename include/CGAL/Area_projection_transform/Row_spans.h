@@ -30,16 +30,17 @@ public:
   /// the voxels `first`, …, `last - 1` of a row.
   struct Run
   {
-    std::int32_t first;
-    std::int32_t last;
+    std::int32_t first; ///< the index along the row of the first voxel
+    std::int32_t last;  ///< one more than that of the last voxel
   };
 
   /// the hull of a row, and the place of its first voxel in the storage of the region.
   struct Hull
   {
-    std::int32_t first = 0;
-    std::int32_t last = 0;
-    std::size_t offset = 0;
+    std::int32_t first = 0; ///< the first voxel of the first run
+    std::int32_t last =
+        0; ///< one more than the last voxel of the last run; `first` in an empty row
+    std::size_t offset = 0; ///< the place of `first` in the storage of the region
   };
 
   /// constructs the region of all voxels of `grid`.
@@ -71,9 +72,12 @@ public:
     m_runs.shrink_to_fit();
   }
 
+  /// the lattice on which the voxels lie.
   const Grid_3& grid() const { return m_grid; }
 
+  /// how many rows the lattice has, empty ones included.
   std::size_t number_of_rows() const { return m_hulls.size(); }
+  /// the hull of a row, whose index is that of `Grid_3::row()`.
   const Hull& hull(std::size_t row) const { return m_hulls[row]; }
 
   /// the runs of a row as a pair of pointers.

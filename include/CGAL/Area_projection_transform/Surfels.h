@@ -27,14 +27,17 @@ namespace Area_projection {
 /// \cgalModels `SurfelSource`
 struct Surfels
 {
-  std::vector<Point_3> positions;
-  std::vector<Vector_3> normals; ///< unit vectors that point outward
-  std::vector<double> areas;     ///< not negative
-  std::vector<std::uint32_t> sources;
+  std::vector<Point_3> positions;     ///< the middles of the elements
+  std::vector<Vector_3> normals;      ///< unit vectors that point outward
+  std::vector<double> areas;          ///< not negative
+  std::vector<std::uint32_t> sources; ///< the face or point of the input of each
 
+  /// the number of surfels.
   std::size_t size() const { return positions.size(); }
+  /// whether there are none.
   bool empty() const { return positions.empty(); }
 
+  /// removes all surfels, and keeps the memory.
   void clear()
   {
     positions.clear();
@@ -43,6 +46,7 @@ struct Surfels
     sources.clear();
   }
 
+  /// takes the memory for some surfels.
   void reserve(std::size_t number)
   {
     positions.reserve(number);
@@ -51,6 +55,7 @@ struct Surfels
     sources.reserve(number);
   }
 
+  /// adds a surfel.
   void push_back(const Point_3& position, const Vector_3& normal, double area, std::uint32_t source)
   {
     positions.push_back(position);
@@ -59,6 +64,7 @@ struct Surfels
     sources.push_back(source);
   }
 
+  /// adds all surfels of another set, with their sources as they are.
   void append(const Surfels& other)
   {
     positions.insert(positions.end(), other.positions.begin(), other.positions.end());
@@ -67,8 +73,10 @@ struct Surfels
     sources.insert(sources.end(), other.sources.begin(), other.sources.end());
   }
 
+  /// the sum of the areas.
   double total_area() const { return std::accumulate(areas.begin(), areas.end(), 0.); }
 
+  /// the bounding box of the positions.
   Bbox_3 bbox() const
   {
     Bbox_3 box;

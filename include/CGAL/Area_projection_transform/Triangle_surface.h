@@ -31,25 +31,31 @@ namespace Area_projection {
 /// \cgalModels `SurfelSource`
 struct Triangle_surface
 {
+  /// three indices of points, counter-clockwise when seen from outside.
   using Triangle = std::array<std::uint32_t, 3>;
 
-  std::vector<Point_3> points;
-  std::vector<Triangle> triangles;
+  std::vector<Point_3> points;             ///< the vertices, used or not
+  std::vector<Triangle> triangles;         ///< by the indices of their points
   std::vector<Vector_3> normals;           ///< per triangle, unit vectors that point outward
   std::vector<double> areas;               ///< per triangle, not negative
   std::vector<std::uint32_t> sources;      ///< per triangle, the face of the input
   std::vector<Vector_3> vertex_normals;    ///< per point, unit vectors; empty: flat triangles
   std::size_t number_of_skipped_faces = 0; ///< faces of the input without extent or normal
 
+  /// the number of triangles.
   std::size_t size() const { return triangles.size(); }
+  /// whether there are none.
   bool empty() const { return triangles.empty(); }
+  /// whether normals vary over a triangle: there are `vertex_normals`.
   bool has_interpolated_normals() const { return !vertex_normals.empty(); }
 
+  /// the corner `i`, from 0 to 2, of a triangle.
   const Point_3& corner(std::size_t triangle, int i) const
   {
     return points[triangles[triangle][i]];
   }
 
+  /// the sum of the areas with which the triangles vote.
   double total_area() const { return std::accumulate(areas.begin(), areas.end(), 0.); }
 
   /// the bounding box of the triangles; points that no triangle uses do not count.

@@ -24,8 +24,8 @@ namespace Area_projection {
 /// \brief a place and a scale at which the transform is asked for.
 struct Query
 {
-  Point_3 point;
-  Scale scale;
+  Point_3 point; ///< where
+  Scale scale;   ///< the radius and `σ`, in the units of the surface
 };
 
 /// \cond SKIP_IN_MANUAL

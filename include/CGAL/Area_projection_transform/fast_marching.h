@@ -30,8 +30,8 @@ namespace Area_projection {
 /// \brief where a front starts, and when: the voxel has this time, even if the front comes by before.
 struct Marching_source
 {
-  std::array<int, 3> voxel;
-  double time = 0;
+  std::array<int, 3> voxel; ///< in the region
+  double time = 0;          ///< when the front starts there
 };
 
 /// \ingroup PkgAreaProjectionTransformFeatures
@@ -52,12 +52,16 @@ struct Marching_options
 class Travel_times
 {
 public:
+  /// the time of what is not reached.
   static constexpr double never = std::numeric_limits<double>::infinity();
 
+  /// \param region the voxels
+  /// \param times their times, at the places that `Row_spans::index()` gives
   Travel_times(std::shared_ptr<const Row_spans> region, std::vector<double> times)
       : m_region(std::move(region)), m_times(std::move(times))
   {}
 
+  /// the voxels.
   const Row_spans& region() const { return *m_region; }
 
   /// the time of a voxel; infinite if it was not reached, lies outside of the region, or comes after the target.
@@ -102,6 +106,7 @@ struct Marching_path
   std::vector<Point_3> points; ///< empty if the front does not get there
   double time;                 ///< at the end; infinite if the front does not get there
 
+  /// whether the front gets to the voxel that was asked for.
   bool is_reached() const { return !points.empty(); }
 };
 
@@ -155,6 +160,7 @@ inline void check_speeds(const Row_spans& region, const std::vector<float>& spee
 /// \param speeds at the places that `Row_spans::index()` gives, in units of length per unit of time; a speed of 0
 /// is a wall
 /// \param sources where the front starts; with `time` where some have a lead
+/// \param options the choices
 /// \throw std::invalid_argument if a speed in the region is negative or not finite, their number is not that of the
 /// voxels with storage, there is no source, one of them or the target is not in the region or, a source, in a wall,
 /// or its time is not finite.
@@ -194,6 +200,7 @@ inline Travel_times fast_marching(std::shared_ptr<const Row_spans> region,
 /// step goes down, by no less than a fixed part of what some voxel of the region allows for; so it ends, and it ends at a
 /// source, since every other voxel that was reached has a lower one next to it.
 ///
+/// \param times when the front reaches the voxels
 /// \param target any voxel; if it was not reached, the path is empty and its time infinite
 ///
 /// Complexity: linear in the length of the path in voxels, unless it gets stuck at every step.

@@ -139,6 +139,8 @@ std::vector<Medial_ball> medial_balls(const Surfels& points,
 /// \ingroup PkgAreaProjectionTransformFeatures
 /// \brief the same for a mesh.
 /// \tparam TriangleMesh a model of `FaceListGraph`
+/// \param mesh the mesh, facing outward; in several parts, with holes, as it is
+/// \param options the choices
 /// \param np the named parameters of `surface_from_mesh()`
 /// \throw std::invalid_argument also as `surface_from_mesh()` does
 template <class ConcurrencyTag = CGAL::Sequential_tag, class TriangleMesh,

@@ -47,7 +47,9 @@ struct Multiscale_summary
 /// Calls are never concurrent. With several threads the scales come in no fixed order.
 struct Multiscale_default_visitor
 {
+  /// called before a scale is projected, with its position in the list of scales.
   void scale_begins(std::size_t /* index */, const Scale&) {}
+  /// called when the sink has all of a scale, with the area whose projection falls outside of the grid.
   void scale_ends(std::size_t /* index */, const Scale&, double /* area_outside */) {}
 };
 

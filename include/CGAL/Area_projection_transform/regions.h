@@ -30,7 +30,7 @@ namespace Area_projection {
 /// \brief the interior of a surface on a grid, and how sure it is.
 struct Interior
 {
-  Row_spans region;
+  Row_spans region; ///< the voxels inside
   /// \brief the mean fraction, over the voxels of the region, of the six axis-parallel rays that see
   /// the surface from inside: 1 for a closed surface, less where parts of it are missing.
   double coverage;
@@ -116,6 +116,8 @@ Interior interior(const Triangle_surface& surface, const Grid_3& grid)
 ///
 /// \tparam ConcurrencyTag `CGAL::Sequential_tag`, `CGAL::Parallel_tag` or
 /// `CGAL::Parallel_if_available_tag`
+/// \param surface the surface
+/// \param grid the lattice
 /// \param distance in the units of the surface
 /// \throw std::invalid_argument if `distance` is not positive.
 ///

@@ -40,7 +40,8 @@ struct Salient_point_options
   /// the range of the radii of spheres and tubes, in the units of the surface.
   /// Default: from about the length of an edge, or less where faces are long and thin, to half of the middle
   /// one of the sides of the bounding box.
-  std::optional<double> smallest_radius, largest_radius;
+  std::optional<double> smallest_radius;
+  std::optional<double> largest_radius; ///< \copydoc smallest_radius
   /// the least intensity of what is returned: a number, or one of `salient_thresholds`. By default what a shape
   /// fits to is returned, however little of it there is.
   double threshold = 0;
@@ -57,11 +58,11 @@ struct Salient_point_options
 /// has 2.25, a hemisphere half of that, a tube 0.55. What is left over is for what is missing.
 struct salient_thresholds
 {
-  static constexpr double sphere = 1;
-  static constexpr double hemisphere = 0.5;
-  static constexpr double tube = 0.5;
-  static constexpr double slab = 0.125; ///< more than two parallel walls
-  static constexpr double paper = 0.2;  ///< that of the paper, section 6.1
+  static constexpr double sphere = 1;       ///< a whole sphere
+  static constexpr double hemisphere = 0.5; ///< half of a sphere
+  static constexpr double tube = 0.5;       ///< a whole tube, far from its ends
+  static constexpr double slab = 0.125;     ///< more than two parallel walls
+  static constexpr double paper = 0.2;      ///< that of the paper, section 6.1
 };
 
 /// \cond SKIP_IN_MANUAL

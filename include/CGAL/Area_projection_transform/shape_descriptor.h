@@ -43,7 +43,7 @@ struct Shape_descriptor
   ///
   /// `block_size` of them belong together: the bins of a radius, or the cells of a pair of radii, row by row.
   std::vector<float> values;
-  std::size_t block_size = 0;
+  std::size_t block_size = 0;  ///< how many of `values` belong together
   double reference_length = 0; ///< `s`, in the units of the surface
   double volume = 0;           ///< of the shape, which determines `s`
   /// how much of the surface is seen from inside: 1 if it is closed. The maps were divided by it, if that was wanted.

@@ -26,16 +26,20 @@ namespace Area_projection {
 class Scale_maps_sink
 {
 public:
+  /// \param region the voxels
+  /// \param number_of_scales how many scales will come
   Scale_maps_sink(const Row_spans& region, std::size_t number_of_scales)
       : m_maps(number_of_scales, std::vector<float>(region.storage_size(), 0.f))
   {}
 
+  /// copies the values of some voxels.
   void consume(std::size_t scale_index, const Scale&, std::size_t first_voxel, const float* values,
                std::size_t number)
   {
     std::copy(values, values + number, m_maps[scale_index].begin() + std::ptrdiff_t(first_voxel));
   }
 
+  /// the maps, in the order of the list of scales.
   const std::vector<std::vector<float>>& maps() const { return m_maps; }
 
 private:
@@ -49,8 +53,11 @@ template <class First, class Second>
 class Sink_pair
 {
 public:
+  /// \param first receives everything first
+  /// \param second receives everything afterwards
   Sink_pair(First& first, Second& second) : m_first(first), m_second(second) {}
 
+  /// hands the values of some voxels to both.
   void consume(std::size_t scale_index, const Scale& scale, std::size_t first_voxel,
                const float* values, std::size_t number)
   {

@@ -119,7 +119,7 @@ double given_area(const FaceAreaMap& map, const Face& face, std::size_t index)
 /// the faces in `faces(mesh)`, which are not their indices if the mesh has removed elements. The mesh is only read, sequentially; its maps need not be thread safe.
 ///
 /// \tparam TriangleMesh a model of `FaceListGraph`
-/// \tparam NamedParameters a sequence of \ref bgl_namedparameters "Named Parameters"
+/// \tparam NamedParameters a sequence of \cgal's named parameters
 ///
 /// \param mesh the mesh, oriented so that the normals point outward
 /// \param np optional named parameters among:

@@ -62,8 +62,10 @@ struct Vesselness_options
 /// storage.
 struct Vesselness_map
 {
+  /// a unit vector.
   using Direction = std::array<float, 3>;
 
+  /// the voxels
   std::shared_ptr<const Row_spans> region;
   /// in [0, 1]
   std::vector<float> values;

@@ -125,7 +125,9 @@ private:
 /// `CGAL::Parallel_if_available_tag`; the result has the same bits for any number of threads and any order of the
 /// faces
 /// \tparam Source `Triangle_surface` or `Surfels`
+/// \param surface the surface
 /// \param queries the balls: places, radii and `σ`, in the units of the surface
+/// \param side the side on which it is projected
 /// \param sampling_ratio the spacing of the samples of the surface, in units of the smallest `σ` of each radius, in
 /// (0, 1]; 0.15 by default
 /// \throw std::invalid_argument if a radius, a `σ` or `sampling_ratio` is not positive, or the ratio more than 1.

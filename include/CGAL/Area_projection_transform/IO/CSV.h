@@ -37,6 +37,7 @@ namespace IO {
 class CSV_writer
 {
 public:
+  /// \param out where the table goes; must outlive the writer
   explicit CSV_writer(std::ostream& out) : m_out(out) {}
 
   /// adds a field to the row.
@@ -53,6 +54,7 @@ public:
     return *this;
   }
 
+  /// ends the row; the next field begins another one.
   void end_row()
   {
     m_out << '\n';
@@ -183,9 +185,9 @@ private:
 /// \brief a point at which the transform is asked for.
 struct Query
 {
-  Point_3 point;
-  double radius;
-  double sigma; ///< NaN if the table has none
+  Point_3 point; ///< where
+  double radius; ///< the distance of projection, in the units of the surface
+  double sigma;  ///< the radius of the collecting ball; NaN if the table has none
 };
 
 /// \cond SKIP_IN_MANUAL

@@ -27,8 +27,8 @@ namespace IO {
 /// \brief a named number, list of numbers or text that is stored beside the values of an image.
 struct Metadata_entry
 {
-  std::string name;
-  std::variant<std::vector<double>, std::string> value;
+  std::string name;                                     ///< what is told, such as `radii`
+  std::variant<std::vector<double>, std::string> value; ///< numbers, or text
 };
 
 /// \ingroup PkgAreaProjectionTransformIO
@@ -51,14 +51,16 @@ using Metadata = std::vector<Metadata_entry>;
 class Grid_image
 {
 public:
+  /// an array of values on the lattice, which is computed row by row.
   struct Array
   {
-    std::string name;
-    Scalar_type type;
+    std::string name; ///< the name that viewers show
+    Scalar_type type; ///< the type of a value
     /// writes the values of a row, which has the given index in the grid, to `values`.
     std::function<void(std::size_t row, void* values)> fill_row;
   };
 
+  /// constructs an image without arrays.
   explicit Grid_image(const Grid_3& grid) : m_grid(grid) {}
 
   /// \brief adds an array of `Scalar`.
@@ -78,25 +80,32 @@ public:
                         }});
   }
 
+  /// adds a list of numbers to the metadata.
   void add_metadata(const std::string& name, std::vector<double> numbers)
   {
     m_metadata.push_back({name, std::move(numbers)});
   }
+  /// adds a number to the metadata.
   void add_metadata(const std::string& name, double number)
   {
     m_metadata.push_back({name, std::vector<double>{number}});
   }
+  /// adds a text to the metadata.
   void add_metadata(const std::string& name, const std::string& text)
   {
     m_metadata.push_back({name, text});
   }
+  /// adds a text to the metadata.
   void add_metadata(const std::string& name, const char* text)
   {
     m_metadata.push_back({name, std::string(text)});
   }
 
+  /// the lattice.
   const Grid_3& grid() const { return m_grid; }
+  /// the arrays, in the order in which they were added.
   const std::vector<Array>& arrays() const { return m_arrays; }
+  /// the metadata, in the order in which they were added.
   const Metadata& metadata() const { return m_metadata; }
 
 private:
@@ -117,16 +126,17 @@ struct Image_options
 /// \brief an image that was read from a file.
 struct Stored_image
 {
+  /// an array of values on the lattice.
   struct Array
   {
-    std::string name;
+    std::string name;       ///< its name in the file
     std::size_t components; ///< the number of values of a lattice point, which are neighbours
     Typed_values values;    ///< in the order of the lattice: `x` runs fastest
   };
 
-  Grid_3 grid;
-  std::vector<Array> arrays;
-  Metadata metadata;
+  Grid_3 grid;               ///< the lattice
+  std::vector<Array> arrays; ///< in the order of the file
+  Metadata metadata;         ///< what is told beside the values
 
   /// returns the array of that name, or null.
   const Array* array(const std::string& name) const

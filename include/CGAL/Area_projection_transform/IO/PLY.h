@@ -35,14 +35,17 @@ static_assert(boost::endian::order::native == boost::endian::order::little,
 class PLY_element
 {
 public:
+  /// lists of three indices of vertices.
   using Triangles = std::vector<std::array<std::uint32_t, 3>>;
 
+  /// a property with its values, one for each element.
   struct Property
   {
-    std::string name;
-    std::variant<Typed_values, Triangles> values;
+    std::string name;                             ///< such as `x`, `radius`, `vertex_indices`
+    std::variant<Typed_values, Triangles> values; ///< as many as there are elements
   };
 
+  /// constructs a kind of which there are `size` elements, without properties as yet.
   PLY_element(std::string name, std::size_t size) : m_name(std::move(name)), m_size(size) {}
 
   /// \brief adds a property with a value for each element.
@@ -68,8 +71,11 @@ public:
     return *this;
   }
 
+  /// the name of the kind, such as `vertex` or `face`.
   const std::string& name() const { return m_name; }
+  /// how many elements there are.
   std::size_t size() const { return m_size; }
+  /// the properties, in the order in which they were added.
   const std::vector<Property>& properties() const { return m_properties; }
 
 private:

@@ -20,7 +20,7 @@ namespace IO {
 /// \brief a polygon soup that was read from a file, or a set of points if it has no polygons.
 struct Poly_data
 {
-  std::vector<Point_3> points;
+  std::vector<Point_3> points;                    ///< the points, used or not
   std::vector<std::vector<std::size_t>> polygons; ///< indices of points, less than their number
   std::vector<Vector_3> normals;                  ///< one of each point, or none at all
   std::size_t number_of_vertex_cells = 0;         ///< cells that are points

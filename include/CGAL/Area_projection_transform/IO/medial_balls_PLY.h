@@ -26,6 +26,7 @@ namespace IO {
 /// The properties are `x`, `y`, `z`, `radius`, `mapt`, `lambda`, `angle` (degrees), `scale_axis`, `kept` (1 or 0), `spread`,
 /// `refitted_x`, `refitted_y`, `refitted_z`, `refitted_radius` and `source`, as the members of `Medial_ball`. A ball that no
 /// other one is larger than has the `scale_axis` infinity.
+/// \param balls the balls
 /// \param kept positions in `balls` of those that were selected
 /// \param only_kept whether the others are left out
 /// \throw std::invalid_argument if one of `kept` is out of range

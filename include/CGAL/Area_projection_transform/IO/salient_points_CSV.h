@@ -113,6 +113,9 @@ public:
     m_table.end_row();
   }
 
+  /// \brief writes the row of a point.
+  /// \param point the point
+  /// \param side the side on which it was found, for the column `side`
   void write(const Salient_point& point, Side side = Side::INSIDE)
   {
     for_each_column(point, side, [this](const char*, const auto& value) { write_field(value); });

@@ -52,6 +52,7 @@ inline std::array<std::uint8_t, 3> colour_of_salient_point(Salient_shape shape, 
 /// \brief returns for each element of an input, a face or a point, the position in `points` of the first one
 /// that it supports, or -1.
 /// \param sources the elements that are asked for, as `Triangle_surface::sources`
+/// \param points the salient points
 template <class SalientPointRange>
 std::vector<std::int32_t> supported_points(const std::vector<std::uint32_t>& sources,
                                            const SalientPointRange& points)

@@ -53,13 +53,14 @@ void write_shape_descriptor_CSV_row(std::ostream& out, const std::string& name, 
 /// \brief descriptors with the names of their shapes.
 struct Named_descriptors
 {
-  std::vector<std::string> names;
-  Descriptor_table table;
+  std::vector<std::string> names; ///< of the shapes, one for each row of the table
+  Descriptor_table table;         ///< the descriptors, in the order of the file
 };
 
 /// \ingroup PkgAreaProjectionTransformIO
 /// \brief reads a table of descriptors: a line with the names of the columns, `file` and then one for each number, and a
 /// row for each shape.
+/// \param in the text of the table
 /// \param name stands for the input in messages
 /// \param block_size as `Shape_descriptor::block_size`; not told by the table
 /// \throw std::runtime_error if a row has another number of fields than the first line, or one that is not a number

@@ -35,14 +35,16 @@ enum class Centerline_origin {
 /// `FITTED`; beyond them the radius is that of the last one or of the inner ball, and the rest is NaN.
 struct Centerline_vertex
 {
+  /// what was not determined: not a number.
   static constexpr double unknown = std::numeric_limits<double>::quiet_NaN();
 
-  Point_3 point = Point_3(0, 0, 0);
+  Point_3 point = Point_3(0, 0, 0); ///< on the line
   /// the radius of the circle that has the area of the section: of round tubes their radius, of elliptic ones
   /// the geometric mean of the semi-axes.
   double radius = unknown;
   /// the radius is between these with a probability of 95 %, if the errors of the points are independent.
-  double radius_low = unknown, radius_high = unknown;
+  double radius_low = unknown;
+  double radius_high = unknown; ///< \copydoc radius_low
   Vector_3 tangent =
       Vector_3(0, 0, 0);     ///< a unit vector along the branch, from its first vertex to the last
   double coverage = unknown; ///< the part of the circumference where there is a surface, in [0, 1]
@@ -51,7 +53,7 @@ struct Centerline_vertex
   double area = unknown;             ///< of the cross-section
   double perimeter = unknown;        ///< of the cross-section
   double inscribed_radius = unknown; ///< of the largest circle around the point in the section
-  Centerline_origin origin = Centerline_origin::FITTED;
+  Centerline_origin origin = Centerline_origin::FITTED; ///< how the point was found
 };
 
 /// \ingroup PkgAreaProjectionTransformFeatures
@@ -79,6 +81,7 @@ struct Centerline_branch
 
   std::size_t from() const { return vertices.front(); } ///< the first node
   std::size_t to() const { return vertices.back(); }    ///< the last node
+  /// whether it is a closed curve.
   bool is_closed() const { return from() == to() && vertices.size() > 2; }
 };
 

@@ -26,7 +26,8 @@ struct Centerline_options
   Side side = Side::INSIDE;
   /// the range of the radii, in the units of the surface.
   /// Default: 0.006 to 0.2 of the diagonal of the bounding box.
-  std::optional<double> smallest_radius, largest_radius;
+  std::optional<double> smallest_radius;
+  std::optional<double> largest_radius; ///< \copydoc smallest_radius
   /// whether lines are joined where tubes meet, through the inside of the shape. Otherwise each is on its own.
   bool do_join = true;
   /// whether lines are extended beyond the last fit to the surface or the rim in which their tubes end.

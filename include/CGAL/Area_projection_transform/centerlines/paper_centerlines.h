@@ -62,6 +62,7 @@ struct Paper_centerline_options
   bool scan_scales = true;
   /// whether `vesselness.coverage` is that which the interior sees (`Interior::coverage`).
   bool compensate = true;
+  /// where the directions come from in which regions are grown.
   Line_directions directions = Line_directions::HESSIAN;
   /// what becomes of the vesselness.
   Paper_tracing_options tracing;

@@ -32,9 +32,10 @@ namespace Area_projection {
 /// \brief a line in the middle of a tube, from one end to the other.
 struct Centerline
 {
-  std::vector<Point_3> points;
-  std::vector<double> radii; ///< at the points, in units of length; positive
+  std::vector<Point_3> points; ///< from one end to the other
+  std::vector<double> radii;   ///< at the points, in units of length; positive
 
+  /// along the points, in units of length.
   double length() const
   {
     double length = 0;

@@ -26,8 +26,8 @@ namespace Area_projection {
 /// All lengths are in the units of the surface.
 struct Medial_ball
 {
-  Point_3 center = Point_3(0, 0, 0);
-  double radius = 0;
+  Point_3 center = Point_3(0, 0, 0); ///< a point of the medial axis
+  double radius = 0;                 ///< its distance from the surface
 
   /// \brief where the surface around the ball comes together, and the radius there: the ball fitted to its voters,
   /// or the ball itself if there is no such fit that keeps to its side of the surface.
@@ -35,7 +35,7 @@ struct Medial_ball
   /// Far less sensitive to noise; but it rounds the ends of cones and the edges of boxes. The ball itself says
   /// what is inside the shape, this one what the shape is like there.
   Point_3 refitted_center = Point_3(0, 0, 0);
-  double refitted_radius = 0;
+  double refitted_radius = 0; ///< \copydoc refitted_center
 
   Point_3 surface_point = Point_3(0, 0, 0); ///< where it touches, the sample that it was made for
   Point_3 contact = Point_3(0, 0, 0);       ///< the sample that stopped it
@@ -103,6 +103,8 @@ inline double least_medial_mapt(double sigma_ratio)
 
 /// \ingroup PkgAreaProjectionTransformFeatures
 /// \brief returns a weight of a ball; the larger, the more it matters.
+/// \param ball the ball
+/// \param weight which one
 /// \param sigma_ratio that of the options with which the ball was computed
 inline double weight_of(const Medial_ball& ball, Medial_weight weight, double sigma_ratio = 0.5)
 {

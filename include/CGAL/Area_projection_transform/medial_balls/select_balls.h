@@ -33,6 +33,8 @@ namespace Area_projection {
 
 /// \ingroup PkgAreaProjectionTransformFeatures
 /// \brief returns the positions, in `balls`, of those whose weight is at least a threshold, in their order.
+/// \param balls the balls
+/// \param weight what they are weighed by
 /// \param threshold in the unit of the weight, for `IMPORTANCE` and `LAMBDA` a length
 /// \param sigma_ratio that of the options with which the balls were computed
 /// \throw std::invalid_argument if the threshold is not a number
@@ -128,6 +130,8 @@ private:
 /// \brief returns the positions, in `balls`, of those with the largest weights, the largest first.
 ///
 /// Balls that are near to a stronger one are left out; without that, they are all at the same place.
+/// \param balls the balls
+/// \param weight what they are weighed by
 /// \param number how many at most
 /// \param suppression how near, in units of the smaller one of the two radii; not negative
 /// \param sigma_ratio that of the options with which the balls were computed
@@ -152,6 +156,7 @@ inline std::vector<std::size_t> select_strongest(const std::vector<Medial_ball>&
 /// \ingroup PkgAreaProjectionTransformFeatures
 /// \brief returns the positions, in `balls`, of some taken by chance, none near to another: what any weight must be
 /// better than.
+/// \param balls the balls
 /// \param number how many at most
 /// \param seed another seed, another choice; the same on every platform
 /// \param suppression as for `select_strongest()`
@@ -176,6 +181,7 @@ inline std::vector<std::size_t> select_random(const std::vector<Medial_ball>& ba
 /// Greedy set cover, the measure of how few balls are enough: with the same number it keeps more of a shape than any
 /// weight does; but the balls that it takes are not neighbours along the axis.
 /// \tparam Source `Triangle_surface` or `Surfels`
+/// \param balls the balls
 /// \param surface that of the balls
 /// \param tolerance the surface is covered up to that distance from a ball, in its units, positive
 /// \param number how many at most; by default as many as add something
@@ -231,7 +237,9 @@ std::vector<std::size_t> select_covering(const std::vector<Medial_ball>& balls,
 /// \brief returns the part of the area of a surface that is no farther than a tolerance from the union of some of its
 /// balls, in [0, 1].
 /// \tparam Source `Triangle_surface` or `Surfels`
+/// \param balls the balls
 /// \param selected positions in `balls`
+/// \param surface that of the balls
 /// \param tolerance in the units of the surface, positive
 /// \throw std::invalid_argument if the tolerance is not positive and finite
 template <class Source>

@@ -31,6 +31,8 @@ class Exact_evaluator
 public:
   /// \tparam ScaleSpace a model of `TriangleScaleSpace`
   /// \param surface is read by the constructor only
+  /// \param radius the distance of projection, positive, in the units of the surface
+  /// \param side the side on which the surface is projected
   /// \throw std::invalid_argument if the radius is not positive or normals are interpolated.
   ///
   /// Complexity: `O(n log n)` for `n` triangles; 220 bytes for each.

@@ -48,6 +48,8 @@ class Kd_tree_evaluator
 public:
   /// \tparam ScaleSpace a model of `SurfelScaleSpace`
   /// \param surface is read by the constructor only
+  /// \param radius the distance of projection, positive, in the units of the surface
+  /// \param side the side on which the surface is projected
   /// \param spacing the spacing of the surfels; see `default_sampling_ratio`
   /// \throw std::invalid_argument if `radius` or `spacing` is not positive.
   ///
@@ -94,9 +96,11 @@ public:
     return internal::sum_over_balls(*this, x, sigma, kernel);
   }
 
+  /// how many samples of the surface are searched.
   std::size_t number_of_surfels() const { return m_projected.size(); }
 
 private:
+  /// \cond SKIP_IN_MANUAL
   /// sums the areas of the surfels found. A named type, since the tree assigns its iterator.
   struct Add
   {
@@ -109,6 +113,7 @@ private:
   std::vector<double> m_areas;
   Traits m_traits;
   std::unique_ptr<Tree> m_tree;
+  /// \endcond
 };
 
 } // namespace Area_projection

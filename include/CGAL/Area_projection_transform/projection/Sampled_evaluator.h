@@ -47,7 +47,10 @@ public:
   /// \tparam ConcurrencyTag says how the tree is built: `CGAL::Sequential_tag`, `CGAL::Parallel_tag` or
   /// `CGAL::Parallel_if_available_tag`
   /// \param surface is read by the constructor only
+  /// \param radius the distance of projection, positive, in the units of the surface
+  /// \param side the side on which the surface is projected
   /// \param spacing the spacing of the surfels; see `default_sampling_ratio`
+  /// \param tag an instance of `ConcurrencyTag`
   /// \throw std::invalid_argument if `radius` or `spacing` is not positive.
   ///
   /// Complexity: `O(n log n)` for `n` surfels.
@@ -83,6 +86,7 @@ public:
     return internal::sum_over_balls(*this, x, sigma, kernel);
   }
 
+  /// how many samples of the surface are searched.
   std::size_t number_of_surfels() const { return m_number; }
 
 private:

@@ -50,11 +50,16 @@ public:
     m_classes.push_back(place->second);
   }
 
+  /// the number of shapes.
   std::size_t size() const { return m_classes.size(); }
+  /// the number of the class of a shape.
   std::uint32_t operator[](std::size_t shape) const { return m_classes[shape]; }
 
+  /// the number of classes.
   std::size_t number_of_classes() const { return m_names.size(); }
+  /// the name of a class.
   const std::string& name(std::size_t class_number) const { return m_names[class_number]; }
+  /// how many shapes a class has.
   std::size_t size_of_class(std::size_t class_number) const { return m_sizes[class_number]; }
 
 private:

@@ -35,14 +35,19 @@ public:
                                   std::to_string(block_size));
   }
 
+  /// how many numbers a descriptor has.
   std::size_t dimension() const { return m_dimension; }
+  /// how many of them belong together, as `Shape_descriptor::block_size`.
   std::size_t block_size() const { return m_block_size; }
+  /// how many descriptors there are.
   std::size_t size() const { return m_values.size() / m_dimension; }
+  /// whether there are none.
   bool empty() const { return m_values.empty(); }
 
   /// the first number of a row.
   const float* operator[](std::size_t row) const { return m_values.data() + row * m_dimension; }
 
+  /// takes the memory for some descriptors.
   void reserve(std::size_t rows) { m_values.reserve(rows * m_dimension); }
 
   /// \brief adds a row.

@@ -25,6 +25,7 @@ namespace Area_projection {
 class Distance_matrix
 {
 public:
+  /// constructs a matrix of zeros for `size` shapes: 4 bytes for each pair.
   explicit Distance_matrix(std::size_t size) : m_size(size), m_values(size * size, 0.f) {}
 
   /// \throw std::invalid_argument if there are not `size²` values
@@ -37,9 +38,13 @@ public:
                                   " shapes has the square of that");
   }
 
+  /// the number of shapes.
   std::size_t size() const { return m_size; }
+  /// the distances of a shape from all shapes.
   const float* operator[](std::size_t row) const { return m_values.data() + row * m_size; }
+  /// the same, to be changed.
   float* operator[](std::size_t row) { return m_values.data() + row * m_size; }
+  /// all distances, row by row.
   const std::vector<float>& values() const { return m_values; }
 
 private:

@@ -91,11 +91,16 @@ public:
                                   std::to_string(block_size));
   }
 
+  /// the kind of distance.
   Distance_kind kind() const { return m_kind; }
+  /// how many numbers a descriptor has.
   std::size_t dimension() const { return m_dimension; }
+  /// how many of them belong together.
   std::size_t block_size() const { return m_block_size; }
 
   /// \brief the distance of two descriptors.
+  /// \param a one of them, `dimension()` numbers
+  /// \param b the other one
   /// \param limit where it is larger, any number that is larger than `limit` may be returned
   double operator()(const float* a, const float* b,
                     double limit = std::numeric_limits<double>::infinity()) const

@@ -30,7 +30,7 @@ namespace Area_projection {
 struct Neighbor
 {
   std::uint32_t index; ///< in the table
-  double distance;
+  double distance;     ///< from what was asked for
 
   friend bool operator<(const Neighbor& a, const Neighbor& b)
   {
@@ -134,10 +134,12 @@ public:
     m_items = std::move(items);
   }
 
+  /// the same, built by one thread.
   Metric_index(const Descriptor_table& table, const Histogram_distance& distance)
       : Metric_index(CGAL::Sequential_tag(), table, distance)
   {}
 
+  /// how many shapes it finds.
   std::size_t size() const { return m_items.size(); }
 
   /// \brief returns the `number` shapes that are nearest to a descriptor, the nearest first. May be called concurrently.
@@ -156,6 +158,7 @@ public:
   }
 
 private:
+  /// \cond SKIP_IN_MANUAL
   static constexpr std::size_t size_of_leaf = 24;
   static constexpr std::size_t remembered = 8; ///< vantage points, from the lowest upwards
 
@@ -293,6 +296,7 @@ private:
   Descriptor_table m_rows; ///< in the order of the items
   std::vector<Item> m_items;
   std::vector<Node> m_nodes;
+  /// \endcond
 };
 
 } // namespace Area_projection

@@ -66,7 +66,7 @@ struct Retrieval_scores
 /// is said of retrieval follows from these.
 struct Relevant_ranks
 {
-  std::size_t number_of_shapes = 0;
+  std::size_t number_of_shapes = 0;                 ///< all, the query included
   std::vector<std::vector<std::uint32_t>> of_query; ///< empty for a shape without a class
 };
 
@@ -167,7 +167,7 @@ inline Retrieval_scores scores_of_query(const std::vector<std::uint32_t>& ranks,
   };
   const auto gain = [](std::size_t rank) { return rank < 2 ? 1. : 1. / std::log2(double(rank)); };
   const std::size_t listed = std::min<std::size_t>(32, others);
-  Retrieval_scores scores;
+  Retrieval_scores scores; ///< their means
   scores.nearest_neighbor = ranks.front() == 1 ? 1 : 0;
   scores.first_tier = double(hits_within(relevant)) / double(relevant);
   scores.second_tier = double(hits_within(2 * relevant)) / double(relevant);
@@ -186,18 +186,18 @@ inline Retrieval_scores scores_of_query(const std::vector<std::uint32_t>& ranks,
 /// \brief the scores of all queries of a class, in the mean.
 struct Class_scores
 {
-  std::string name;
-  std::size_t number_of_queries = 0;
-  Retrieval_scores scores;
+  std::string name;                  ///< of the class
+  std::size_t number_of_queries = 0; ///< how many of its shapes were asked for
+  Retrieval_scores scores;           ///< their means
 };
 
 /// \ingroup PkgAreaProjectionTransformRetrieval
 /// \brief the scores of a set of labelled shapes.
 struct Retrieval_evaluation
 {
-  Retrieval_scores micro; ///< the mean over the queries, as the contests take it
-  Retrieval_scores macro; ///< the mean over the classes of their means
-  std::size_t number_of_queries = 0;
+  Retrieval_scores micro;            ///< the mean over the queries, as the contests take it
+  Retrieval_scores macro;            ///< the mean over the classes of their means
+  std::size_t number_of_queries = 0; ///< how many shapes were asked for: those of the `classes`
   std::vector<Class_scores> classes; ///< those with queries, in the order of their numbers
 };
 

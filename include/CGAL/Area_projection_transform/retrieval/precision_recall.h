@@ -32,7 +32,7 @@ enum class Query_counts {
 /// \brief a curve of precision over recall, at equal steps of the recall.
 struct Precision_recall
 {
-  std::vector<double> recalls;
+  std::vector<double> recalls;                 ///< ascending, in (0, 1]
   std::vector<double> precisions;              ///< 0 where no query has that little recall
   std::vector<std::size_t> numbers_of_queries; ///< that count at each recall
 };

@@ -192,6 +192,7 @@ public:
   ///
   /// \tparam ConcurrencyTag `CGAL::Sequential_tag`, `CGAL::Parallel_tag` or
   /// `CGAL::Parallel_if_available_tag`
+  /// \param region the voxels; those that have no storage count as zero
   /// \param map values at the places that `region.index()` gives
   /// \param smoothed the result, at the same places; not `map`
   ///

@@ -42,6 +42,7 @@ struct Inertia_descriptors
 /// Lengths are in the units of the surface. What was not determined is NaN, or empty.
 struct Salient_point
 {
+  /// what was not determined: not a number.
   static constexpr double unknown = std::numeric_limits<double>::quiet_NaN();
 
   /// the centre of a sphere; of a tube the point of its axis in the middle of the part that was found.
@@ -53,8 +54,10 @@ struct Salient_point
   double intensity = unknown;
   /// how alike the three extents of the map around the point are: the smallest over the largest.
   double sphericity = unknown;
+  /// how the map lies around the point: as a blob, flat, or along a line.
   Inertia_descriptors inertia = {unknown, unknown, unknown};
 
+  /// the shape that fits to the voters.
   Salient_shape shape = Salient_shape::OTHER;
   /// the radius of the sphere or, at `position`, of the tube that fits to the voters. `paper_salient_points()` fits
   /// nothing: it has `scale` here, and the smoothed value of the maximum as `intensity`.
@@ -63,7 +66,10 @@ struct Salient_point
   /// if the vertices are displaced independently of each other. It knows nothing of surfaces that are not
   /// round, nor of errors that neighbouring vertices share.
   /// @{
+
+  /// its lower end.
   double radius_low = unknown;
+  /// its upper end.
   double radius_high = unknown;
   /// @}
   /// the standard deviation (robust) of the distances of the voters from the shape.

@@ -27,9 +27,9 @@ namespace Area_projection {
 /// \brief a local maximum of a map over space and scales.
 struct Scale_maximum
 {
-  std::array<int, 3> voxel;
-  std::size_t scale; ///< 0, 1, … in the order in which the scales came
-  float value;       ///< of the smoothed map
+  std::array<int, 3> voxel; ///< where
+  std::size_t scale;        ///< 0, 1, … in the order in which the scales came
+  float value;              ///< of the smoothed map
 };
 
 /// \cond SKIP_IN_MANUAL

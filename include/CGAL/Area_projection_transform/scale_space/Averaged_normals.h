@@ -74,8 +74,10 @@ template <class Source_ = Triangle_surface>
 class Averaged_normals
 {
 public:
+  /// what is seen, and what it is seen as.
   using Source = Source_;
 
+  /// a quarter of the radius.
   static constexpr double default_averaging_ratio = 0.25;
 
   /// \param source the surface; where its normals are interpolated, the mean of each triangle counts
@@ -98,6 +100,7 @@ public:
   /// the surface with its own normals.
   const Source& source() const { return m_source; }
 
+  /// the standard deviation of the neighbourhood, in units of the radius.
   double averaging_ratio() const { return m_averaging_ratio; }
 
   /// \brief returns the surface as seen at `radius`: the same elements in the same order, each with a

@@ -26,10 +26,12 @@ class Constant_scale_space
 {
 public:
   /// Complexity: `O(n log n)` for `n` elements; 360 bytes for each triangle, 400 while it builds.
+  /// \param source the surface
   explicit Constant_scale_space(Source source)
       : m_source(std::make_shared<const Source>(std::move(source))), m_tree(*m_source)
   {}
 
+  /// the surface.
   const Source& source() const { return *m_source; }
 
   /// the total area of the surface as seen at `radius`.

@@ -46,8 +46,10 @@ namespace Area_projection {
 class Mean_curvature_flow
 {
 public:
+  /// what is smoothed, and what it becomes.
   using Source = Triangle_surface;
 
+  /// three tenths of the radius.
   static constexpr double default_smoothing_ratio = 0.3;
 
   /// \param source the surface; open or closed, a mesh or a soup
@@ -71,6 +73,7 @@ public:
   /// the surface before smoothing.
   const Triangle_surface& source() const { return m_source; }
 
+  /// the standard deviation to which a bump spreads, in units of the radius.
   double smoothing_ratio() const { return m_smoothing_ratio; }
 
   /// \brief returns the surface as seen at `radius`: the same triangles in the same order, flat.

@@ -36,6 +36,7 @@ template <class Smoother>
 class Smoothing_scale_space
 {
 public:
+  /// the type of the surface, `Triangle_surface` or `Surfels`.
   using Source = typename Smoother::Source;
 
   /// \brief how many surfaces are kept if the constructor is not told: as many as threads may work at.
@@ -56,6 +57,7 @@ public:
             std::max<std::size_t>(1, number_kept)))
   {}
 
+  /// what makes the surfaces.
   const Smoother& smoother() const { return m_smoother; }
 
   /// the surface before smoothing.
@@ -88,6 +90,7 @@ public:
   }
 
 private:
+  /// \cond SKIP_IN_MANUAL
   struct Seen_surface
   {
     Seen_surface(Source smoothed, const internal::Surfel_tree<Source>& original)
@@ -107,6 +110,7 @@ private:
   Smoother m_smoother;
   internal::Surfel_tree<Source> m_tree; // of the original; those of the others have its shape
   std::unique_ptr<internal::Recent_values<Seen_surface>> m_surfaces;
+  /// \endcond
 };
 
 template <class Smoother>

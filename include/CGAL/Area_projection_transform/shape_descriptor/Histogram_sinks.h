@@ -29,6 +29,7 @@ public:
       : m_number(number), m_factor(float(factor * double(number) / largest_value))
   {}
 
+  /// how many bins there are.
   std::size_t number() const { return m_number; }
 
   /// the bin of a value; the last one if it is larger than all.
@@ -40,7 +41,7 @@ public:
   /// a value between the middles of two neighbouring bins, the lower of which is `bin`.
   struct Place
   {
-    std::size_t bin;
+    std::size_t bin;    ///< the lower of the two
     std::int64_t upper; ///< the share of the upper one, in units of `1 / unit`
   };
 
@@ -66,6 +67,8 @@ private:
 class Histogram_sink
 {
 public:
+  /// \param scales how many scales will come
+  /// \param bins where values are counted
   /// \param is_soft whether a value is shared by two bins
   Histogram_sink(std::size_t scales, const Bins& bins, bool is_soft)
       : m_bins(bins)
@@ -73,6 +76,7 @@ public:
       , m_histograms(scales, std::vector<std::int64_t>(bins.number(), 0))
   {}
 
+  /// counts the values of some voxels.
   void consume(std::size_t scale_index, const Scale&, std::size_t, const float* values,
                std::size_t number)
   {
@@ -106,10 +110,12 @@ class Pair_histogram_sink
 {
 public:
   /// \param first the values of the first map at the places that `Row_spans::index()` gives; must outlive the sink
+  /// \param bins the bins of both maps
   Pair_histogram_sink(const std::vector<float>& first, const Bins& bins)
       : m_first(first), m_bins(bins), m_table(bins.number() * bins.number(), 0)
   {}
 
+  /// counts the pairs of values of some voxels.
   void consume(std::size_t, const Scale&, std::size_t first_voxel, const float* values,
                std::size_t number)
   {

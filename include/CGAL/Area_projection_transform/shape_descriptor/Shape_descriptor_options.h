@@ -51,7 +51,9 @@ struct Shape_descriptor_options
   double scale_divisor = 30;
   /// the radii: `smallest_radius`, `smallest_radius + radius_step`, … up to `largest_radius`, in units of `s`,
   /// positive.
-  double smallest_radius = 2, largest_radius = 9, radius_step = 1;
+  double smallest_radius = 2;
+  double largest_radius = 9; ///< \copydoc smallest_radius
+  double radius_step = 1;    ///< \copydoc smallest_radius
   /// the ratio `σ/R`, in (0, 1).
   double sigma_ratio = 0.5;
   /// the size of a voxel in units of `s`, positive.
@@ -60,7 +62,8 @@ struct Shape_descriptor_options
   Binning binning = Binning::HARD;
   /// the number of bins at each radius, and, of pairs, for each of the two values; at least 2. The paper's is
   /// 12; that of pairs, which it does not have, is 8.
-  std::size_t bins = 12, bins_of_pair = 8;
+  std::size_t bins = 12;
+  std::size_t bins_of_pair = 8; ///< \copydoc bins
   /// the value at which the last bin ends, positive; larger values count for it as well. Not told in the paper.
   double largest_value = 1;
   /// along which normals the surface is projected.

@@ -98,7 +98,7 @@ class Manual(unittest.TestCase):
         titles = [title.strip() for path in self.folder.glob("*.html")
                   for title in re.findall(r'<div class="title">([^<]*)', path.read_text(encoding="utf-8"))]
         wanted = [page.read_text(encoding="utf-8").splitlines()[0].lstrip("# ") for page in PAGES.glob("*.md")]
-        wanted += [f"{concept.stem} Class Reference" for concept in (PAGES / "Concepts").glob("*.h")]
+        wanted += [f"{concept.stem} Concept Reference" for concept in (PAGES / "Concepts").glob("*.h")]
         wanted += [f"Area_projection_transform/{example.name}" for example in EXAMPLES.glob("*.cpp")]
         self.assertGreater(len(wanted), 30)
         self.assertEqual([title for title in wanted if title not in titles], [])

@@ -89,7 +89,7 @@ centerlines_of(const Line_samples& samples, const std::vector<std::uint32_t>& so
 } // namespace internal
 /// \endcond
 
-/// \ingroup PkgAreaProjectionTransformFeatures
+/// \ingroup PkgAreaProjectionTransformCenterlines
 /// \brief returns the centrelines of the tubes that a surface is made of, with their radii, joined where they meet.
 ///
 /// The projection of the surface along its normals tells where to begin (MAPT, as in the paper). From there a
@@ -134,7 +134,7 @@ Centerline_graph centerlines(const Triangle_surface& surface,
                                                   internal::callback_of(np));
 }
 
-/// \ingroup PkgAreaProjectionTransformFeatures
+/// \ingroup PkgAreaProjectionTransformCenterlines
 /// \brief the same for points with normals, which lie on the surface, and the areas that they stand for.
 template <class ConcurrencyTag = CGAL::Sequential_tag,
           class NamedParameters = CGAL::parameters::Default_named_parameters>
@@ -146,7 +146,7 @@ Centerline_graph centerlines(const Surfels& points, const Centerline_options& op
       internal::Line_samples(points, options), points.sources, options, internal::callback_of(np));
 }
 
-/// \ingroup PkgAreaProjectionTransformFeatures
+/// \ingroup PkgAreaProjectionTransformCenterlines
 /// \brief the same for a mesh.
 /// \tparam TriangleMesh a model of `FaceListGraph`
 /// \param mesh the mesh; open, holed, in several parts, as it is

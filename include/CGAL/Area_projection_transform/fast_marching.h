@@ -26,7 +26,7 @@
 namespace CGAL {
 namespace Area_projection {
 
-/// \ingroup PkgAreaProjectionTransformFeatures
+/// \ingroup PkgAreaProjectionTransformRidges
 /// \brief where a front starts, and when: the voxel has this time, even if the front comes by before.
 struct Marching_source
 {
@@ -34,7 +34,7 @@ struct Marching_source
   double time = 0;          ///< when the front starts there
 };
 
-/// \ingroup PkgAreaProjectionTransformFeatures
+/// \ingroup PkgAreaProjectionTransformRidges
 /// \brief the choices of `fast_marching()`.
 struct Marching_options
 {
@@ -47,7 +47,7 @@ struct Marching_options
   std::optional<std::array<int, 3>> target;
 };
 
-/// \ingroup PkgAreaProjectionTransformFeatures
+/// \ingroup PkgAreaProjectionTransformRidges
 /// \brief when a front reaches the voxels of a region.
 class Travel_times
 {
@@ -99,7 +99,7 @@ private:
   std::vector<double> m_times;
 };
 
-/// \ingroup PkgAreaProjectionTransformFeatures
+/// \ingroup PkgAreaProjectionTransformRidges
 /// \brief a path of a front, from a source to the voxel that was asked for.
 struct Marching_path
 {
@@ -148,7 +148,7 @@ inline void check_speeds(const Row_spans& region, const std::vector<float>& spee
 } // namespace internal
 /// \endcond
 
-/// \ingroup PkgAreaProjectionTransformFeatures
+/// \ingroup PkgAreaProjectionTransformRidges
 /// \brief returns when a front that moves with a given speed reaches the voxels of a region (Sethian, 1996): the
 /// solution of `|∇T| = 1 / speed`, by differences against the wind.
 ///
@@ -192,7 +192,7 @@ inline Travel_times fast_marching(std::shared_ptr<const Row_spans> region,
   return Travel_times(std::move(region), front.take_times());
 }
 
-/// \ingroup PkgAreaProjectionTransformFeatures
+/// \ingroup PkgAreaProjectionTransformRidges
 /// \brief returns the path on which a front got to a voxel.
 ///
 /// Goes down the gradient of the times in steps of half a voxel. Where that does not go down as it should (along

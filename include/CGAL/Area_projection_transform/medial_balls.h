@@ -87,7 +87,7 @@ std::vector<Medial_ball> medial_balls_of(const Medial_samples& samples,
 } // namespace internal
 /// \endcond
 
-/// \ingroup PkgAreaProjectionTransformFeatures
+/// \ingroup PkgAreaProjectionTransformMedialBalls
 /// \brief returns the medial balls of a surface, weighted by the transform and by what else is used to prune a medial
 /// axis.
 ///
@@ -124,7 +124,7 @@ std::vector<Medial_ball> medial_balls(const Triangle_surface& surface,
                                                    options);
 }
 
-/// \ingroup PkgAreaProjectionTransformFeatures
+/// \ingroup PkgAreaProjectionTransformMedialBalls
 /// \brief the same for points with normals and the areas that they stand for.
 /// \throw std::invalid_argument also if a position is not finite, a normal not of length 1, or an area negative
 template <class ConcurrencyTag = CGAL::Sequential_tag>
@@ -136,7 +136,7 @@ std::vector<Medial_ball> medial_balls(const Surfels& points,
                                                    options);
 }
 
-/// \ingroup PkgAreaProjectionTransformFeatures
+/// \ingroup PkgAreaProjectionTransformMedialBalls
 /// \brief the same for a mesh.
 /// \tparam TriangleMesh a model of `FaceListGraph`
 /// \param mesh the mesh, facing outward; in several parts, with holes, as it is

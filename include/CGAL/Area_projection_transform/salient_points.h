@@ -31,7 +31,7 @@
 namespace CGAL {
 namespace Area_projection {
 
-/// \ingroup PkgAreaProjectionTransformFeatures
+/// \ingroup PkgAreaProjectionTransformSalientPoints
 /// \brief the choices of `salient_points()`.
 struct Salient_point_options
 {
@@ -50,7 +50,7 @@ struct Salient_point_options
   std::optional<double> tube_spacing;
 };
 
-/// \ingroup PkgAreaProjectionTransformFeatures
+/// \ingroup PkgAreaProjectionTransformSalientPoints
 /// \brief what the transform has at the centre of ideal shapes, each at its own radius and `σ/R = 1/2`: names for
 /// thresholds of the intensity.
 ///
@@ -265,7 +265,7 @@ salient_points_of(const Feature_surface& surface, const std::vector<std::uint32_
 } // namespace internal
 /// \endcond
 
-/// \ingroup PkgAreaProjectionTransformFeatures
+/// \ingroup PkgAreaProjectionTransformSalientPoints
 /// \brief returns the centres of spheres, tubes, cones and ellipsoids that a surface is made of, or parts of them,
 /// the strongest first.
 ///
@@ -310,7 +310,7 @@ salient_points(const Triangle_surface& surface, const Salient_point_options& opt
       internal::callback_of(np));
 }
 
-/// \ingroup PkgAreaProjectionTransformFeatures
+/// \ingroup PkgAreaProjectionTransformSalientPoints
 /// \brief the same for points with normals, which lie on the surface, and the areas that they stand for.
 template <class ConcurrencyTag = CGAL::Sequential_tag,
           class NamedParameters = CGAL::parameters::Default_named_parameters>
@@ -324,7 +324,7 @@ salient_points(const Surfels& points, const Salient_point_options& options = {},
       internal::callback_of(np));
 }
 
-/// \ingroup PkgAreaProjectionTransformFeatures
+/// \ingroup PkgAreaProjectionTransformSalientPoints
 /// \brief the same for a mesh.
 /// \tparam TriangleMesh a model of `FaceListGraph`
 /// \param mesh the mesh, facing outward; open, holed, in several parts, as it is

@@ -34,7 +34,7 @@
 namespace CGAL {
 namespace Area_projection {
 
-/// \ingroup PkgAreaProjectionTransformFeatures
+/// \ingroup PkgAreaProjectionTransformDescriptors
 /// \brief a shape as some numbers, which hardly change when it moves, bends or grows: the histograms of its maps at
 /// some radii (HAPT; paper, section 6.3), and what they were computed with.
 struct Shape_descriptor
@@ -184,7 +184,7 @@ Solid solid_to_describe(const Triangle_surface& surface, const Shape_descriptor_
 } // namespace internal
 /// \endcond
 
-/// \ingroup PkgAreaProjectionTransformFeatures
+/// \ingroup PkgAreaProjectionTransformDescriptors
 /// \brief returns the histograms of the area projection transform inside of a shape at some radii (HAPT; paper,
 /// section 6.3): by default 96 numbers that tell shapes apart whatever their place, size and articulation.
 ///
@@ -242,7 +242,7 @@ Shape_descriptor shape_descriptor(const Triangle_surface& surface,
   return result;
 }
 
-/// \ingroup PkgAreaProjectionTransformFeatures
+/// \ingroup PkgAreaProjectionTransformDescriptors
 /// \brief the same for a mesh.
 /// \tparam TriangleMesh a model of `FaceListGraph`
 /// \param mesh the mesh, facing outward; in several parts, with holes, as it is
@@ -258,7 +258,7 @@ Shape_descriptor shape_descriptor(const TriangleMesh& mesh,
   return shape_descriptor<ConcurrencyTag>(surface_from_mesh(mesh, np), options);
 }
 
-/// \ingroup PkgAreaProjectionTransformFeatures
+/// \ingroup PkgAreaProjectionTransformDescriptors
 /// \brief refuses points: without faces there is no inside whose voxels could be counted, and no volume. Make a mesh of
 /// them first.
 /// \throw std::invalid_argument always

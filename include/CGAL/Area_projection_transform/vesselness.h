@@ -29,7 +29,7 @@
 namespace CGAL {
 namespace Area_projection {
 
-/// \ingroup PkgAreaProjectionTransformFeatures
+/// \ingroup PkgAreaProjectionTransformRidges
 /// \brief the choices of `vesselness()`.
 struct Vesselness_options
 {
@@ -55,7 +55,7 @@ struct Vesselness_options
   std::vector<double> scales;
 };
 
-/// \ingroup PkgAreaProjectionTransformFeatures
+/// \ingroup PkgAreaProjectionTransformRidges
 /// \brief how much a map looks like a line at each voxel, in which direction, and at which scale.
 ///
 /// Stored as parallel arrays at the places that `Row_spans::index()` gives. 20 bytes for each voxel with
@@ -77,7 +77,7 @@ struct Vesselness_map
   std::vector<float> scales;
 };
 
-/// \ingroup PkgAreaProjectionTransformFeatures
+/// \ingroup PkgAreaProjectionTransformRidges
 /// \brief returns the vesselness of Frangi et al. (MICCAI 1998) for bright lines, from the eigenvalues of a
 /// normalised Hessian, by their magnitude, the smallest first; in [0, 1].
 ///
@@ -201,7 +201,7 @@ inline void improve(Vesselness_map& result, std::size_t voxel, const Covariance_
 } // namespace internal
 /// \endcond
 
-/// \ingroup PkgAreaProjectionTransformFeatures
+/// \ingroup PkgAreaProjectionTransformRidges
 /// \brief returns the vesselness of a joint map (paper, section 6.2): Frangi's measure of the Hessian of the map,
 /// smoothed by a Gaussian.
 ///

@@ -28,7 +28,7 @@
 namespace CGAL {
 namespace Area_projection {
 
-/// \ingroup PkgAreaProjectionTransformFeatures
+/// \ingroup PkgAreaProjectionTransformRidges
 /// \brief the normals of the surface that is projected into a ball (of the voters), as a structure tensor.
 struct Voter_normals
 {
@@ -113,7 +113,7 @@ private:
 } // namespace internal
 /// \endcond
 
-/// \ingroup PkgAreaProjectionTransformFeatures
+/// \ingroup PkgAreaProjectionTransformRidges
 /// \brief returns the normals of the surface that is projected into each of some balls: a source of directions
 /// other than the Hessian of the map (`vesselness()`).
 ///

@@ -20,7 +20,7 @@
 namespace CGAL {
 namespace Area_projection {
 
-/// \ingroup PkgAreaProjectionTransformFeatures
+/// \ingroup PkgAreaProjectionTransformCenterlines
 /// \brief how a vertex of a centreline came to its place.
 enum class Centerline_origin {
   FITTED,   ///< a piece of tube fits to the surface around it
@@ -28,7 +28,7 @@ enum class Centerline_origin {
   BRIDGED   ///< on the way through a blob to another line
 };
 
-/// \ingroup PkgAreaProjectionTransformFeatures
+/// \ingroup PkgAreaProjectionTransformCenterlines
 /// \brief a point of a centreline, and what is known of the tube there.
 ///
 /// Lengths are in the units of the surface. What was fitted is interpolated between vertices of the origin
@@ -56,14 +56,14 @@ struct Centerline_vertex
   Centerline_origin origin = Centerline_origin::FITTED; ///< how the point was found
 };
 
-/// \ingroup PkgAreaProjectionTransformFeatures
+/// \ingroup PkgAreaProjectionTransformCenterlines
 /// an edge of a graph of centrelines.
 struct Centerline_edge
 {
   std::size_t branch = 0; ///< the branch that it belongs to
 };
 
-/// \ingroup PkgAreaProjectionTransformFeatures
+/// \ingroup PkgAreaProjectionTransformCenterlines
 /// \brief a chain of vertices between two nodes, or a closed one.
 ///
 /// Nodes are the vertices that end a branch: where a tube ends, where several meet, or the vertex in which
@@ -85,7 +85,7 @@ struct Centerline_branch
   bool is_closed() const { return from() == to() && vertices.size() > 2; }
 };
 
-/// \ingroup PkgAreaProjectionTransformFeatures
+/// \ingroup PkgAreaProjectionTransformCenterlines
 /// what belongs to a graph of centrelines as a whole.
 struct Centerline_branches
 {
@@ -94,7 +94,7 @@ struct Centerline_branches
   bool is_turned_over = false;
 };
 
-/// \ingroup PkgAreaProjectionTransformFeatures
+/// \ingroup PkgAreaProjectionTransformCenterlines
 /// \brief centrelines and how they are connected: a graph of the Boost Graph Library, as CGAL's skeletons are.
 ///
 /// `graph[v]` is a `Centerline_vertex` (its `point` is where that of
@@ -103,14 +103,14 @@ using Centerline_graph =
     boost::adjacency_list<boost::vecS, boost::vecS, boost::undirectedS, Centerline_vertex,
                           Centerline_edge, Centerline_branches>;
 
-/// \ingroup PkgAreaProjectionTransformFeatures
+/// \ingroup PkgAreaProjectionTransformCenterlines
 /// returns the branches of a graph of centrelines: each edge belongs to one.
 inline const std::vector<Centerline_branch>& branches(const Centerline_graph& graph)
 {
   return graph[boost::graph_bundle].branches;
 }
 
-/// \ingroup PkgAreaProjectionTransformFeatures
+/// \ingroup PkgAreaProjectionTransformCenterlines
 /// returns the vertices in which branches end, ascending.
 inline std::vector<std::size_t> nodes(const Centerline_graph& graph)
 {
@@ -122,7 +122,7 @@ inline std::vector<std::size_t> nodes(const Centerline_graph& graph)
   return nodes;
 }
 
-/// \ingroup PkgAreaProjectionTransformFeatures
+/// \ingroup PkgAreaProjectionTransformCenterlines
 /// \brief returns a segmentation: for each element of an input, a face or a point, the branch that it surrounds, or
 /// -1.
 /// \param graph the centrelines of the input

@@ -18,7 +18,7 @@
 namespace CGAL {
 namespace Area_projection {
 
-/// \ingroup PkgAreaProjectionTransformFeatures
+/// \ingroup PkgAreaProjectionTransformCenterlines
 /// \brief the choices of `centerlines()`.
 struct Centerline_options
 {

@@ -35,14 +35,14 @@
 namespace CGAL {
 namespace Area_projection {
 
-/// \ingroup PkgAreaProjectionTransformFeatures
+/// \ingroup PkgAreaProjectionTransformCenterlines
 /// \brief where the directions come from along which regions of lines are continued.
 enum class Line_directions {
   HESSIAN, ///< of the map, as in the paper
   VOTERS   ///< the normals of the surface that is projected there (see `voter_normals()`)
 };
 
-/// \ingroup PkgAreaProjectionTransformFeatures
+/// \ingroup PkgAreaProjectionTransformCenterlines
 /// \brief the choices of `paper_centerlines()`; lengths are in the units of the surface.
 struct Paper_centerline_options
 {
@@ -149,7 +149,7 @@ void take_directions_of_voters(const Source& surface, Side side, const Joint_map
 } // namespace internal
 /// \endcond
 
-/// \ingroup PkgAreaProjectionTransformFeatures
+/// \ingroup PkgAreaProjectionTransformCenterlines
 /// \brief returns the lines that the paper finds in a joint map (section 6.2), given its vesselness.
 ///
 /// - Regions grow from the voxel of the largest vesselness, over neighbours whose vesselness is not below a
@@ -178,7 +178,7 @@ inline std::vector<Centerline> paper_centerlines(const Joint_map& map,
   return internal::Paper_line_tracer(map, vesselness, options).trace();
 }
 
-/// \ingroup PkgAreaProjectionTransformFeatures
+/// \ingroup PkgAreaProjectionTransformCenterlines
 /// \brief returns the lines in the middle of the tubes of a surface, as the paper finds them (section 6.2).
 ///
 /// Computes the joint map on a lattice, its multiscale vesselness, and the lines in that. The radius of a line is

@@ -28,7 +28,7 @@
 namespace CGAL {
 namespace Area_projection {
 
-/// \ingroup PkgAreaProjectionTransformFeatures
+/// \ingroup PkgAreaProjectionTransformCenterlines
 /// \brief a line in the middle of a tube, from one end to the other.
 struct Centerline
 {
@@ -45,7 +45,7 @@ struct Centerline
   }
 };
 
-/// \ingroup PkgAreaProjectionTransformFeatures
+/// \ingroup PkgAreaProjectionTransformCenterlines
 /// \brief how lines are traced in a vesselness.
 struct Paper_tracing_options
 {

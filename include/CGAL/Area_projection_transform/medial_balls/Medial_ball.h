@@ -20,7 +20,7 @@
 namespace CGAL {
 namespace Area_projection {
 
-/// \ingroup PkgAreaProjectionTransformFeatures
+/// \ingroup PkgAreaProjectionTransformMedialBalls
 /// \brief a ball that touches a surface and has nothing of it inside, with what tells how much it matters.
 ///
 /// All lengths are in the units of the surface.
@@ -58,7 +58,7 @@ struct Medial_ball
   double scale_axis = std::numeric_limits<double>::infinity();
 };
 
-/// \ingroup PkgAreaProjectionTransformFeatures
+/// \ingroup PkgAreaProjectionTransformMedialBalls
 /// \brief the choices of `medial_balls()`.
 struct Medial_ball_options
 {
@@ -78,7 +78,7 @@ struct Medial_ball_options
   double sigma_ratio = 0.5;
 };
 
-/// \ingroup PkgAreaProjectionTransformFeatures
+/// \ingroup PkgAreaProjectionTransformMedialBalls
 /// \brief ways to tell how much a ball matters.
 enum class Medial_weight {
   IMPORTANCE, ///< the spread of the voters where they are more than chance, otherwise 0: a length
@@ -90,7 +90,7 @@ enum class Medial_weight {
   RADIUS      ///< `Medial_ball::radius`: a length
 };
 
-/// \ingroup PkgAreaProjectionTransformFeatures
+/// \ingroup PkgAreaProjectionTransformMedialBalls
 /// \brief returns the MAPT that a ball must have to count as seen by the surface: that of two parallel walls, less a
 /// quarter.
 ///
@@ -101,7 +101,7 @@ inline double least_medial_mapt(double sigma_ratio)
   return 0.75 * sigma_ratio * sigma_ratio / 2;
 }
 
-/// \ingroup PkgAreaProjectionTransformFeatures
+/// \ingroup PkgAreaProjectionTransformMedialBalls
 /// \brief returns a weight of a ball; the larger, the more it matters.
 /// \param ball the ball
 /// \param weight which one

@@ -31,7 +31,7 @@
 namespace CGAL {
 namespace Area_projection {
 
-/// \ingroup PkgAreaProjectionTransformFeatures
+/// \ingroup PkgAreaProjectionTransformMedialBalls
 /// \brief returns the positions, in `balls`, of those whose weight is at least a threshold, in their order.
 /// \param balls the balls
 /// \param weight what they are weighed by
@@ -126,7 +126,7 @@ private:
 } // namespace internal
 /// \endcond
 
-/// \ingroup PkgAreaProjectionTransformFeatures
+/// \ingroup PkgAreaProjectionTransformMedialBalls
 /// \brief returns the positions, in `balls`, of those with the largest weights, the largest first.
 ///
 /// Balls that are near to a stronger one are left out; without that, they are all at the same place.
@@ -153,7 +153,7 @@ inline std::vector<std::size_t> select_strongest(const std::vector<Medial_ball>&
   return internal::select_in_order(balls, order, number, suppression);
 }
 
-/// \ingroup PkgAreaProjectionTransformFeatures
+/// \ingroup PkgAreaProjectionTransformMedialBalls
 /// \brief returns the positions, in `balls`, of some taken by chance, none near to another: what any weight must be
 /// better than.
 /// \param balls the balls
@@ -174,7 +174,7 @@ inline std::vector<std::size_t> select_random(const std::vector<Medial_ball>& ba
   return internal::select_in_order(balls, order, number, suppression);
 }
 
-/// \ingroup PkgAreaProjectionTransformFeatures
+/// \ingroup PkgAreaProjectionTransformMedialBalls
 /// \brief returns the positions, in `balls`, of some that cover the surface: each covers the most of what those before it
 /// do not.
 ///
@@ -233,7 +233,7 @@ std::vector<std::size_t> select_covering(const std::vector<Medial_ball>& balls,
   return selected;
 }
 
-/// \ingroup PkgAreaProjectionTransformFeatures
+/// \ingroup PkgAreaProjectionTransformMedialBalls
 /// \brief returns the part of the area of a surface that is no farther than a tolerance from the union of some of its
 /// balls, in [0, 1].
 /// \tparam Source `Triangle_surface` or `Surfels`

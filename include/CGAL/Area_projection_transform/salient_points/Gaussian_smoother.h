@@ -155,7 +155,7 @@ private:
 } // namespace internal
 /// \endcond
 
-/// \ingroup PkgAreaProjectionTransformFeatures
+/// \ingroup PkgAreaProjectionTransformSalientPoints
 /// \brief convolves maps over a region with a Gaussian.
 ///
 /// The Gaussian is separable, taken at whole voxels, cut off at three standard deviations (rounded up) and

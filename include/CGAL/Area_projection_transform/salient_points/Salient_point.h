@@ -16,7 +16,7 @@
 namespace CGAL {
 namespace Area_projection {
 
-/// \ingroup PkgAreaProjectionTransformFeatures
+/// \ingroup PkgAreaProjectionTransformSalientPoints
 /// \brief what the surface around a salient point is like.
 enum class Salient_shape {
   SPHERE,
@@ -25,7 +25,7 @@ enum class Salient_shape {
   OTHER, ///< round, but none of these; or not fitted at all
 };
 
-/// \ingroup PkgAreaProjectionTransformFeatures
+/// \ingroup PkgAreaProjectionTransformSalientPoints
 /// \brief what the eigenvalues of the inertia of the map around a point tell: three numbers in [0, 1].
 ///
 /// With the standard deviations `a >= b >= c` of the map around the point along its principal axes:
@@ -36,7 +36,7 @@ struct Inertia_descriptors
   double vesselness = 0; ///< `(a - b) / a`: 1 for a line
 };
 
-/// \ingroup PkgAreaProjectionTransformFeatures
+/// \ingroup PkgAreaProjectionTransformSalientPoints
 /// \brief a centre of radial symmetry, and the part of the surface that it is the centre of.
 ///
 /// Lengths are in the units of the surface. What was not determined is NaN, or empty.

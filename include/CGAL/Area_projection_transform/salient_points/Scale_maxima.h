@@ -23,7 +23,7 @@
 namespace CGAL {
 namespace Area_projection {
 
-/// \ingroup PkgAreaProjectionTransformFeatures
+/// \ingroup PkgAreaProjectionTransformSalientPoints
 /// \brief a local maximum of a map over space and scales.
 struct Scale_maximum
 {
@@ -101,7 +101,7 @@ private:
 } // namespace internal
 /// \endcond
 
-/// \ingroup PkgAreaProjectionTransformFeatures
+/// \ingroup PkgAreaProjectionTransformSalientPoints
 /// \brief finds the local maxima of the four-dimensional map of (`x`, `y`, `z`, radius) in a stream of its
 /// scales, of which it holds three.
 ///

@@ -22,7 +22,7 @@
 namespace CGAL {
 namespace Area_projection {
 
-/// \ingroup PkgAreaProjectionTransformFeatures
+/// \ingroup PkgAreaProjectionTransformSalientPoints
 /// \brief the radius of the ball around a maximum in which the inertia of the map is taken, in voxels.
 ///
 /// It is twice the `σ` of the scale, since the spot that a sphere leaves in the map ends there at the
@@ -33,7 +33,7 @@ inline double inertia_radius(double sigma)
   return std::max(2 * sigma, 3.);
 }
 
-/// \ingroup PkgAreaProjectionTransformFeatures
+/// \ingroup PkgAreaProjectionTransformSalientPoints
 /// \brief returns the covariance of the voxels in a ball, weighted by the values of a map, about their
 /// centre of mass: in squared voxels; zero if there are no values.
 ///
@@ -72,7 +72,7 @@ inline Covariance_3 map_covariance(const Row_spans& region, const std::vector<fl
   return covariance;
 }
 
-/// \ingroup PkgAreaProjectionTransformFeatures
+/// \ingroup PkgAreaProjectionTransformSalientPoints
 /// \brief returns blobness, flatness and vesselness of a distribution; NaN if it has no extent.
 ///
 /// They sum to 1. The smallest extent over the largest, the sphericity, is the blobness.

@@ -36,7 +36,7 @@
 namespace CGAL {
 namespace Area_projection {
 
-/// \ingroup PkgAreaProjectionTransformFeatures
+/// \ingroup PkgAreaProjectionTransformSalientPoints
 /// \brief the choices of `paper_salient_points()`; lengths are in the units of the surface.
 struct Paper_salient_options
 {
@@ -58,7 +58,7 @@ struct Paper_salient_options
   bool use_joint_map = false;
 };
 
-/// \ingroup PkgAreaProjectionTransformFeatures
+/// \ingroup PkgAreaProjectionTransformSalientPoints
 /// \brief returns the reference length of the paper: the square root of the area, divided by 80π.
 ///
 /// The text of the paper can also be read as the square root of `A / 80π`, which is 16 times as long. Figure 9
@@ -258,7 +258,7 @@ std::vector<Salient_point> paper_salient_points_of(const ScaleSpace& surface,
 } // namespace internal
 /// \endcond
 
-/// \ingroup PkgAreaProjectionTransformFeatures
+/// \ingroup PkgAreaProjectionTransformSalientPoints
 /// \brief returns the salient points of the paper (section 6.1), the strongest first: local maxima of the
 /// transform over space and radii.
 ///

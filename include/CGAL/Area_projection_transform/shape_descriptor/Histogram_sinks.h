@@ -17,7 +17,7 @@
 namespace CGAL {
 namespace Area_projection {
 
-/// \ingroup PkgAreaProjectionTransformFeatures
+/// \ingroup PkgAreaProjectionTransformDescriptors
 /// \brief equal bins over the range from 0 to some value, and the place of a value among them.
 class Bins
 {
@@ -61,7 +61,7 @@ private:
   float m_factor;
 };
 
-/// \ingroup PkgAreaProjectionTransformFeatures
+/// \ingroup PkgAreaProjectionTransformDescriptors
 /// \brief counts, for each scale, into which bin the values of its map fall. Keeps no map.
 /// \cgalModels `MultiscaleSink`
 class Histogram_sink
@@ -102,7 +102,7 @@ private:
   std::vector<std::vector<std::int64_t>> m_histograms;
 };
 
-/// \ingroup PkgAreaProjectionTransformFeatures
+/// \ingroup PkgAreaProjectionTransformDescriptors
 /// \brief counts into which cells of a table the pairs of values of two maps fall: one map is given, the other
 /// comes as a stream of one scale. Pairs are shared by four cells.
 /// \cgalModels `MultiscaleSink`

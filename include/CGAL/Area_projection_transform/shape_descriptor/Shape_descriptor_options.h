@@ -19,7 +19,7 @@
 namespace CGAL {
 namespace Area_projection {
 
-/// \ingroup PkgAreaProjectionTransformFeatures
+/// \ingroup PkgAreaProjectionTransformDescriptors
 /// \brief how the values of a map become a histogram.
 enum class Binning {
   HARD, ///< a value counts for the bin that it falls into (the paper's)
@@ -27,7 +27,7 @@ enum class Binning {
   PAIRS ///< pairs of values, at the same voxel and two radii, in a table of soft bins
 };
 
-/// \ingroup PkgAreaProjectionTransformFeatures
+/// \ingroup PkgAreaProjectionTransformDescriptors
 /// \brief the normals along which a surface is projected.
 enum class Descriptor_normals {
   FACE,         ///< those of the faces: for clean meshes
@@ -39,7 +39,7 @@ enum class Descriptor_normals {
   SMOOTHED ///< those of a surface that is smoothed the more the larger the radius: `Mean_curvature_flow`
 };
 
-/// \ingroup PkgAreaProjectionTransformFeatures
+/// \ingroup PkgAreaProjectionTransformDescriptors
 /// \brief the choices of `shape_descriptor()`; by default those of the paper (section 6.3), and what it leaves
 /// open as it was best for a labelled set of 300 meshes.
 struct Shape_descriptor_options

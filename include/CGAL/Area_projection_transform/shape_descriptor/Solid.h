@@ -96,7 +96,7 @@ Interior interior_of(const Solid& solid, double spacing)
 } // namespace internal
 /// \endcond
 
-/// \ingroup PkgAreaProjectionTransformFeatures
+/// \ingroup PkgAreaProjectionTransformDescriptors
 /// \brief returns the volume that a surface encloses, also if parts of it are missing.
 ///
 /// Of a closed surface, which must face outward, it is exact up to rounding; where it overlaps itself, space counts

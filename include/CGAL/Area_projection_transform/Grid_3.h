@@ -90,6 +90,9 @@ private:
 /// it with at least `margin` to spare on every side.
 ///
 /// Centring makes the lattice follow the shape under translation.
+/// \param box the box, in any unit of length
+/// \param spacing the distance of neighbours, in the same unit, positive
+/// \param margin how far the lattice reaches beyond the box at least, in the same unit, not negative
 /// \throw std::invalid_argument if `spacing` is not positive, `margin` is negative, `box` is empty, or
 /// a side would have more than 2^24 lattice points.
 inline Grid_3 grid_around(const Bbox_3& box, double spacing, double margin = 0)

@@ -223,6 +223,8 @@ void Triangle_surface::for_each_batch(double spacing, BatchSink&& sink) const
 /// \ingroup PkgAreaProjectionTransformInput
 /// \brief returns the samples of `source` at `spacing` in one piece.
 /// \tparam Source a model of `SurfelSource`
+/// \param source the surface
+/// \param spacing the distance of samples, in the units of the surface, positive
 template <class Source>
 Surfels sample_surfels(const Source& source, double spacing)
 {

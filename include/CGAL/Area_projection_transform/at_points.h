@@ -74,6 +74,9 @@ void evaluate_by_radius(const std::vector<Query>& queries, MakeEvaluator&& make_
 /// \tparam MakeEvaluator a function that takes a `Scale`, that of the smallest `σ` of its radius,
 /// and returns a model of `ProjectionEvaluator`
 ///
+/// \param queries the places and scales, in any order
+/// \param make_evaluator makes the evaluator of a radius
+/// \param kernel the balls of a model of `ProjectionKernel_3`
 /// \return for each query, the area that is projected into its ball
 /// \throw std::invalid_argument if a radius or a `σ` is not positive
 template <class ConcurrencyTag = CGAL::Sequential_tag, class MakeEvaluator>

@@ -136,6 +136,10 @@ Centerline_graph centerlines(const Triangle_surface& surface,
 
 /// \ingroup PkgAreaProjectionTransformCenterlines
 /// \brief the same for points with normals, which lie on the surface, and the areas that they stand for.
+/// \param points the points, with normals and areas
+/// \param options the choices
+/// \param np the named parameters of the function for triangles
+/// \throw std::invalid_argument as for triangles
 template <class ConcurrencyTag = CGAL::Sequential_tag,
           class NamedParameters = CGAL::parameters::Default_named_parameters>
 Centerline_graph centerlines(const Surfels& points, const Centerline_options& options = {},

@@ -20,6 +20,7 @@ namespace Area_projection {
 /// \ingroup PkgAreaProjectionTransformMultiscale
 /// \brief returns the spacing of the grid when the user has none in mind: 1/128 of the longest side
 /// of the bounding box of the surface.
+/// \param box the bounding box of the surface
 inline double default_voxel_size(const Bbox_3& box)
 {
   return std::max({box.x_span(), box.y_span(), box.z_span()}) / 128;
@@ -32,6 +33,9 @@ inline double default_voxel_size(const Bbox_3& box)
 /// box, since no ball inside the surface can be larger. They form a geometric series with steps of
 /// at most `1 + sigma_ratio/2`, so that the ranges `R ± σ` of neighbours overlap by more than half:
 /// every sphere and cylinder of a radius in between is seen by a scale near it.
+/// \param box the bounding box of the surface
+/// \param voxel_size the spacing of the grid, in the units of the surface, positive
+/// \param sigma_ratio the ratio `σ/R`, in (0, 1)
 /// \throw std::invalid_argument if `voxel_size` is not positive or `sigma_ratio` not in (0, 1).
 inline std::vector<double> default_radii(const Bbox_3& box, double voxel_size,
                                          double sigma_ratio = 0.5)

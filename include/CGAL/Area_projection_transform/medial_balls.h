@@ -126,6 +126,8 @@ std::vector<Medial_ball> medial_balls(const Triangle_surface& surface,
 
 /// \ingroup PkgAreaProjectionTransformMedialBalls
 /// \brief the same for points with normals and the areas that they stand for.
+/// \param points the points
+/// \param options the choices
 /// \throw std::invalid_argument also if a position is not finite, a normal not of length 1, or an area negative
 template <class ConcurrencyTag = CGAL::Sequential_tag>
 std::vector<Medial_ball> medial_balls(const Surfels& points,

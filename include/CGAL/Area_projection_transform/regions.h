@@ -90,6 +90,8 @@ Row_spans covered_region(const Solids& solids, const Grid_3& grid, double distan
 ///
 /// \tparam ConcurrencyTag `CGAL::Sequential_tag`, `CGAL::Parallel_tag` or
 /// `CGAL::Parallel_if_available_tag`
+/// \param surface triangles, facing outward
+/// \param grid the lattice
 ///
 /// Complexity: linear in the number of grid lines through the faces and in that of the faces, for
 /// surfaces that are not closed also in the number of voxels of the grid. Memory: 50 bytes for each row
@@ -138,6 +140,9 @@ Row_spans band(const Triangle_surface& surface, const Grid_3& grid, double dista
 /// The surface is sampled at half a voxel, so a voxel may be missed whose distance is less by up to
 /// six tenths of a voxel. A point set is taken as it is.
 /// \tparam Source a model of `SurfelSource`
+/// \param surface the surface
+/// \param grid the lattice
+/// \param distance in the units of the surface
 template <class ConcurrencyTag = CGAL::Sequential_tag, class Source>
 Row_spans band(const Source& surface, const Grid_3& grid, double distance)
 {

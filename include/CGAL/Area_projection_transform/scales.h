@@ -59,6 +59,8 @@ inline void check_sigma_ratio(double ratio)
 
 /// \ingroup PkgAreaProjectionTransformGround
 /// \brief returns the scales of the multiscale transform: `σ = sigma_ratio · R` for each radius.
+/// \param radii the radii, positive, in the units of the surface
+/// \param sigma_ratio the ratio `σ/R`, in (0, 1)
 /// \throw std::invalid_argument if a radius is not positive or `sigma_ratio` is not in (0, 1).
 inline std::vector<Scale> proportional_scales(const std::vector<double>& radii,
                                               double sigma_ratio = 0.5)
@@ -74,6 +76,8 @@ inline std::vector<Scale> proportional_scales(const std::vector<double>& radii,
 
 /// \ingroup PkgAreaProjectionTransformGround
 /// \brief returns the scales that share one collecting radius.
+/// \param radii the radii, positive, in the units of the surface
+/// \param sigma `σ`, positive, in the same units
 /// \throw std::invalid_argument if a radius or `sigma` is not positive.
 inline std::vector<Scale> fixed_sigma_scales(const std::vector<double>& radii, double sigma)
 {
@@ -88,6 +92,9 @@ inline std::vector<Scale> fixed_sigma_scales(const std::vector<double>& radii, d
 
 /// \ingroup PkgAreaProjectionTransformGround
 /// \brief returns `number` radii `first`, `first + step`, `first + 2 step`, …
+/// \param first the smallest radius, positive, in the units of the surface
+/// \param step the difference of neighbours, positive, in the same units
+/// \param number how many
 /// \throw std::invalid_argument if `first` or `step` is not positive.
 inline std::vector<double> uniform_radii(double first, double step, std::size_t number)
 {
@@ -102,6 +109,9 @@ inline std::vector<double> uniform_radii(double first, double step, std::size_t 
 /// \ingroup PkgAreaProjectionTransformGround
 /// \brief returns `number` radii from `first` to `last`, both included, each the same multiple of
 /// the one before. For `number == 1` this is `first` alone.
+/// \param first the first radius, positive, in the units of the surface
+/// \param last the last one, positive, in the same units
+/// \param number how many
 /// \throw std::invalid_argument if `first` or `last` is not positive.
 inline std::vector<double> geometric_radii(double first, double last, std::size_t number)
 {

@@ -84,6 +84,8 @@ struct Vesselness_map
 /// With `A = |l2 / l3|`, `B = |l1| / √|l2 l3|` and `S = √(l1² + l2² + l3²)` it is
 /// `(1 - exp(-A² / 2α²)) exp(-B² / 2β²) (1 - exp(-S² / 2c²))` where `l2` and `l3` are negative, and 0 elsewhere.
 /// The coverage divides `S`, as it would the map.
+/// \param l the eigenvalues of the Hessian
+/// \param options the choices
 inline double frangi_vesselness(const std::array<double, 3>& l, const Vesselness_options& options)
 {
   if(!(l[1] < 0 && l[2] < 0))
@@ -215,6 +217,8 @@ inline void improve(Vesselness_map& result, std::size_t voxel, const Covariance_
 ///
 /// \tparam ConcurrencyTag `CGAL::Sequential_tag`, `CGAL::Parallel_tag` or
 /// `CGAL::Parallel_if_available_tag`; the result has the same bits for any number of threads
+/// \param map the joint map
+/// \param options the choices
 /// \throw std::invalid_argument if an option is not positive, `coverage` is more than 1, or one of `scales` is less
 /// than half a voxel or more than 100. Scales by the radii of the map are kept within these bounds.
 ///

@@ -270,6 +270,8 @@ private:
 ///
 /// The first line names the columns, in any order; others are skipped. `name` stands for the input
 /// in messages.
+/// \param in the text of the table
+/// \param name stands for the input in messages
 /// \throw std::runtime_error if a column is missing, a value is not a finite number, or a radius or
 /// sigma is not positive; its text names the line, the column and the defect.
 inline std::vector<Query> read_queries(std::istream& in, const std::string& name)
@@ -279,6 +281,7 @@ inline std::vector<Query> read_queries(std::istream& in, const std::string& name
 
 /// \ingroup PkgAreaProjectionTransformIO
 /// reads a table of queries from a file.
+/// \param file_name the file
 inline std::vector<Query> read_queries(const std::string& file_name)
 {
   errno = 0;

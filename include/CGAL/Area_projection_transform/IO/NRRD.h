@@ -29,6 +29,9 @@ namespace IO {
 /// value. The values are computed row by row. Failure is told by the state of `out`.
 ///
 /// VTK 9.1 reads a part only of several arrays that are compressed; write them uncompressed for it.
+/// \param out where the image goes
+/// \param image what is written
+/// \param options how
 /// \throw std::invalid_argument if the image has no array.
 inline void write_NRRD(std::ostream& out, const Grid_image& image,
                        const Image_options& options = {})
@@ -38,6 +41,9 @@ inline void write_NRRD(std::ostream& out, const Grid_image& image,
 
 /// \ingroup PkgAreaProjectionTransformIO
 /// \brief writes an image to a `.nrrd` file, which appears whole or not at all.
+/// \param file_name the file; replaced as a whole, if it exists
+/// \param image what is written
+/// \param options how
 /// \throw Output_error if the file cannot be written.
 /// \throw std::invalid_argument if the image has no array.
 inline void write_NRRD(const std::string& file_name, const Grid_image& image,
@@ -53,6 +59,7 @@ inline void write_NRRD(const std::string& file_name, const Grid_image& image,
 /// gzip, little endian, axes parallel to those of space, with the same spacing.
 ///
 /// The format does not tell numbers from text: values made of numbers only are read as numbers.
+/// \param file_name the file
 /// \throw std::runtime_error if the file cannot be read or is none of these.
 inline Stored_image read_NRRD(const std::string& file_name)
 {

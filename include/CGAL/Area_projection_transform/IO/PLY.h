@@ -180,6 +180,9 @@ private:
 /// Elements and properties are in the given order; `vertex` with `x`, `y`, `z` and `face` with
 /// `vertex_indices`, `red`, `green`, `blue` are what most programs look for. Failure is told by the state of
 /// `out`.
+/// \param out where the elements go
+/// \param elements the kinds of elements, in the order of the file
+/// \param options how
 inline void write_PLY(std::ostream& out, const std::vector<PLY_element>& elements,
                       const PLY_options& options = {})
 {
@@ -188,6 +191,9 @@ inline void write_PLY(std::ostream& out, const std::vector<PLY_element>& element
 
 /// \ingroup PkgAreaProjectionTransformIO
 /// \brief writes a `.ply` file, which appears whole or not at all.
+/// \param file_name the file; replaced as a whole, if it exists
+/// \param elements the kinds of elements, in the order of the file
+/// \param options how
 /// \throw Output_error if the file cannot be written.
 inline void write_PLY(const std::string& file_name, const std::vector<PLY_element>& elements,
                       const PLY_options& options = {})

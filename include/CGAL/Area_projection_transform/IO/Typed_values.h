@@ -74,6 +74,7 @@ constexpr Scalar_type scalar_type = Scalar_type(internal::index_of_scalar<Scalar
 
 /// \ingroup PkgAreaProjectionTransformIO
 /// returns an array of the given type without values.
+/// \param type the type of a value
 inline Typed_values empty_values(Scalar_type type)
 {
   return internal::empty_values(std::size_t(type),
@@ -82,6 +83,7 @@ inline Typed_values empty_values(Scalar_type type)
 
 /// \ingroup PkgAreaProjectionTransformIO
 /// returns the type of `values`.
+/// \param values the values
 inline Scalar_type type_of(const Typed_values& values)
 {
   return Scalar_type(values.index());
@@ -89,6 +91,7 @@ inline Scalar_type type_of(const Typed_values& values)
 
 /// \ingroup PkgAreaProjectionTransformIO
 /// returns the number of bytes of a value.
+/// \param type the type of a value
 inline std::size_t size_of(Scalar_type type)
 {
   constexpr std::size_t sizes[] = {1, 1, 2, 2, 4, 4, 8, 8, 4, 8};
@@ -97,6 +100,7 @@ inline std::size_t size_of(Scalar_type type)
 
 /// \ingroup PkgAreaProjectionTransformIO
 /// returns the number of values.
+/// \param values the values
 inline std::size_t number_of_values(const Typed_values& values)
 {
   return std::visit([](const auto& v) { return v.size(); }, values);
@@ -104,6 +108,7 @@ inline std::size_t number_of_values(const Typed_values& values)
 
 /// \ingroup PkgAreaProjectionTransformIO
 /// returns the values converted to another type.
+/// \param values the values
 template <class Scalar>
 std::vector<Scalar> converted(const Typed_values& values)
 {

@@ -25,6 +25,9 @@ namespace IO {
 ///
 /// Arrays become point data, metadata field data. The values are computed row by row; the
 /// compressed bytes are held in memory until all are known. Failure is told by the state of `out`.
+/// \param out where the image goes
+/// \param image what is written
+/// \param options how
 inline void write_VTI(std::ostream& out, const Grid_image& image, const Image_options& options = {})
 {
   if(!options.compress) {
@@ -40,6 +43,9 @@ inline void write_VTI(std::ostream& out, const Grid_image& image, const Image_op
 /// \brief writes an image to a `.vti` file, which appears whole or not at all.
 ///
 /// Needs no more memory than a row and a block of a megabyte, compressed or not.
+/// \param file_name the file; replaced as a whole, if it exists
+/// \param image what is written
+/// \param options how
 /// \throw Output_error if the file cannot be written.
 inline void write_VTI(const std::string& file_name, const Grid_image& image,
                       const Image_options& options = {})
@@ -58,6 +64,7 @@ inline void write_VTI(const std::string& file_name, const Grid_image& image,
 /// Reads ascii, binary and appended data, raw or in base64, plain or compressed with zlib, as
 /// written by this package, VTK and ParaView; the point data and the field data of an image with
 /// the same spacing along the three axes. A field that is a list of texts becomes the lines of one.
+/// \param file_name the file
 /// \throw std::runtime_error if the file cannot be read or is none of these.
 inline Stored_image read_VTI(const std::string& file_name)
 {

@@ -22,6 +22,7 @@ namespace IO {
 /// Reads ascii, binary and appended data, raw or in base64, plain or compressed with zlib, as
 /// written by VTK and ParaView. Triangle strips become triangles; several pieces become one.
 /// Indices are checked; coordinates and the degeneracy of polygons are not.
+/// \param file_name the file
 /// \throw std::runtime_error if the file cannot be read or is damaged; its text names the file, the
 /// array and the defect.
 inline Poly_data read_VTP(const std::string& file_name)

@@ -92,6 +92,8 @@ inline void write_json_branch(std::ostream& out, const Centerline_graph& graph,
 /// `radii_high`, `coverage`, `mapt`, `area`, `perimeter` and `inscribed_radius` of `Centerline_vertex`; `voters`
 /// are the faces (or points) of the input around it; and it has `length`, `mean_radius` and `score`. What is unknown
 /// is `null`.
+/// \param file_name the file; replaced as a whole, if it exists
+/// \param graph the lines
 /// \throw Output_error if the file cannot be written; nothing is left of it then
 inline void write_centerlines_JSON(const std::string& file_name, const Centerline_graph& graph)
 {

@@ -22,6 +22,8 @@ namespace IO {
 /// \ingroup PkgAreaProjectionTransformIO
 /// \brief writes centrelines as polylines of Wavefront (`.obj`): a group `branch_<index>` with one element `l` for each
 /// branch. The format has no radii.
+/// \param file_name the file; replaced as a whole, if it exists
+/// \param graph the lines
 /// \throw Output_error if the file cannot be written; nothing is left of it then
 inline void write_centerlines_OBJ(const std::string& file_name, const Centerline_graph& graph)
 {

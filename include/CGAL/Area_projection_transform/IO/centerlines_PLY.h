@@ -21,6 +21,7 @@ namespace IO {
 
 /// \ingroup PkgAreaProjectionTransformIO
 /// \brief returns a colour (red, green, blue) for a branch of centrelines. Neighbours in the list differ clearly.
+/// \param index the position of the branch in `branches()`
 inline std::array<std::uint8_t, 3> colour_of_branch(std::size_t index)
 {
   return internal::colour_of_rank({0, 360}, index);
@@ -47,6 +48,8 @@ inline Labels branch_labels(const std::vector<std::uint32_t>& sources,
 /// The elements are `vertex`, with `x`, `y`, `z`, and `face`, with `vertex_indices`, `red`, `green`, `blue`
 /// and `branch`: the branch of `graph` that the face surrounds, or -1. All vertices and triangles of the surface are
 /// there, in its order. Faces of a branch have the same colour, `colour_of_branch()`; those of none are grey.
+/// \param surface the surface of which they are the lines
+/// \param graph the lines
 inline std::vector<PLY_element> centerlines_PLY(const Triangle_surface& surface,
                                                 const Centerline_graph& graph)
 {
@@ -57,6 +60,8 @@ inline std::vector<PLY_element> centerlines_PLY(const Triangle_surface& surface,
 /// \brief returns points that show the branch they surround, for `write_PLY()`.
 ///
 /// As for meshes, but everything is in the element `vertex`, which has the normals `nx`, `ny`, `nz`, too.
+/// \param surfels the points of which they are the lines
+/// \param graph the lines
 inline std::vector<PLY_element> centerlines_PLY(const Surfels& surfels,
                                                 const Centerline_graph& graph)
 {

@@ -106,6 +106,8 @@ private:
 ///
 /// The format has trees only: where a graph has a cycle, one vertex of it appears a second time, as a leaf at the same
 /// place. A radius that is unknown is 0.
+/// \param file_name the file; replaced as a whole, if it exists
+/// \param graph the lines
 /// \throw Output_error if the file cannot be written; nothing is left of it then
 inline void write_centerlines_SWC(const std::string& file_name, const Centerline_graph& graph)
 {

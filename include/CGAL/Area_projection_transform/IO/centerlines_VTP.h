@@ -86,6 +86,8 @@ inline void add_branches(const Centerline_graph& graph, Vtk_lines_writer& writer
 /// first one), `radius_low`, `radius_high`, `coverage`, `area`, `perimeter`, `inscribed_radius`, `origin` (0 fitted,
 /// 1 extended, 2 bridged) and `tangent`; lines have `branch`, `length`, `mean_radius`, `score` and the number of
 /// `voters`. What is unknown is NaN.
+/// \param file_name the file; replaced as a whole, if it exists
+/// \param graph the lines
 /// \throw Output_error if the file cannot be written; nothing is left of it then
 inline void write_centerlines_VTP(const std::string& file_name, const Centerline_graph& graph)
 {

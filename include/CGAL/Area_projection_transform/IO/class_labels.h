@@ -131,6 +131,7 @@ inline std::string number_at_end(const std::string& name)
 /// \brief reads classes of shapes: a table of comma-separated values with a shape and its class in a row, after a first
 /// line with the names of these columns; or the classification of the Princeton shape benchmark (`.cla`), which begins
 /// with `PSB 1`.
+/// \param file_name the file
 /// \throw std::runtime_error if the file cannot be read, or is neither; its text names the defect
 inline Label_list read_class_labels(const std::string& file_name)
 {
@@ -146,6 +147,8 @@ inline Label_list read_class_labels(const std::string& file_name)
 ///
 /// A shape is looked up by its whole name, the name without folders, and that without extension, in this order; in a
 /// list of numbers by the number at the end of the latter. One that is not in the list has no class.
+/// \param shapes the names of the shapes, in the order of the labels that are wanted
+/// \param list the labels that were read
 /// \throw std::invalid_argument if the list has two classes for a shape
 inline Class_labels labels_of(const std::vector<std::string>& shapes, const Label_list& list)
 {

@@ -30,6 +30,8 @@ namespace IO {
 /// \ingroup PkgAreaProjectionTransformIO
 /// \brief writes a matrix of distances as the contests exchange them: `n²` floats of 32 bits, little endian, row by row,
 /// and nothing else.
+/// \param out where the numbers go
+/// \param matrix the matrix
 inline void write_float_matrix(std::ostream& out, const Distance_matrix& matrix)
 {
   std::vector<std::uint32_t> row(matrix.size());
@@ -43,6 +45,8 @@ inline void write_float_matrix(std::ostream& out, const Distance_matrix& matrix)
 
 /// \ingroup PkgAreaProjectionTransformIO
 /// \brief writes a matrix of distances to a file, which appears whole or not at all.
+/// \param file_name the file; replaced as a whole, if it exists
+/// \param matrix the matrix
 /// \throw Output_error if the file cannot be written.
 inline void write_float_matrix(const std::string& file_name, const Distance_matrix& matrix)
 {
@@ -53,6 +57,7 @@ inline void write_float_matrix(const std::string& file_name, const Distance_matr
 
 /// \ingroup PkgAreaProjectionTransformIO
 /// \brief reads a file as `write_float_matrix()` writes it.
+/// \param file_name the file
 /// \throw std::runtime_error if it cannot be read, or is not a square of floats
 inline Distance_matrix read_float_matrix(const std::string& file_name)
 {

@@ -20,6 +20,7 @@ namespace IO {
 /// \ingroup PkgAreaProjectionTransformIO
 /// \brief returns the shortest text that reads back as exactly the same number, whatever the
 /// locale.
+/// \param value the number
 template <class Number>
 std::string to_text(Number value)
 {
@@ -33,6 +34,8 @@ std::string to_text(Number value)
 /// \brief reads a number that makes up the whole of `text`, whatever the locale.
 ///
 /// Returns whether it is one and fits in `value`; `nan` and `inf` are numbers of a floating type.
+/// \param text what is read
+/// \param value becomes the number
 template <class Number>
 bool from_text(std::string_view text, Number& value)
 {

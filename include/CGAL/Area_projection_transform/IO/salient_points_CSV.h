@@ -23,6 +23,7 @@ namespace IO {
 
 /// \ingroup PkgAreaProjectionTransformIO
 /// \brief returns `sphere`, `tube`, `cone` or `other`.
+/// \param shape the shape
 inline const char* to_text(Salient_shape shape)
 {
   switch(shape) {
@@ -40,6 +41,7 @@ inline const char* to_text(Salient_shape shape)
 
 /// \ingroup PkgAreaProjectionTransformIO
 /// returns `inside` or `outside`.
+/// \param side the side
 inline const char* to_text(Side side)
 {
   return side == Side::INSIDE ? "inside" : "outside";
@@ -63,6 +65,9 @@ inline const char* to_text(Side side)
 /// | `length`, `slope`, `curvature_x`, `curvature_y`, `curvature_z` | see `Salient_point` |
 /// | `one_sided` | whether it is seen from one side only |
 /// | `side` | `inside` or `outside`: where the centre was sought |
+/// \param point the salient point
+/// \param side the side on which it was found
+/// \param visit a function of the name of a column and its value
 template <class Visitor>
 void for_each_column(const Salient_point& point, Side side, Visitor&& visit)
 {
@@ -139,6 +144,9 @@ private:
 
 /// \ingroup PkgAreaProjectionTransformIO
 /// \brief writes a range of salient points as a table: see `Salient_points_CSV_writer`.
+/// \param out where the table goes
+/// \param points a range of salient points
+/// \param side the side on which they were found
 template <class SalientPointRange>
 void write_salient_points_CSV(std::ostream& out, const SalientPointRange& points,
                               Side side = Side::INSIDE)
@@ -150,6 +158,9 @@ void write_salient_points_CSV(std::ostream& out, const SalientPointRange& points
 
 /// \ingroup PkgAreaProjectionTransformIO
 /// \brief writes a range of salient points to a `.csv` file, which appears whole or not at all.
+/// \param file_name the file; replaced as a whole, if it exists
+/// \param points a range of salient points
+/// \param side the side on which they were found
 /// \throw Output_error if the file cannot be written.
 template <class SalientPointRange>
 void write_salient_points_CSV(const std::string& file_name, const SalientPointRange& points,

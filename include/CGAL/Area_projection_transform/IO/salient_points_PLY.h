@@ -43,6 +43,8 @@ inline Hues hues_of(Salient_shape shape)
 /// \ingroup PkgAreaProjectionTransformIO
 /// \brief returns a colour (red, green, blue) for the salient point of that rank in a list: warm for spheres,
 /// cool for tubes and cones, violet for others. Neighbours in the list differ clearly.
+/// \param shape the kind of the point
+/// \param rank its position in the list
 inline std::array<std::uint8_t, 3> colour_of_salient_point(Salient_shape shape, std::size_t rank)
 {
   return internal::colour_of_rank(internal::hues_of(shape), rank);
@@ -82,6 +84,8 @@ Labels salient_labels(const std::vector<std::uint32_t>& sources, const SalientPo
 /// and `salient_point`: the position in `points` of the one that the face supports (the first, if there are
 /// several), or -1. All vertices and triangles of the surface are there, in its order. Faces that support the
 /// same point have the same colour, `colour_of_salient_point()`; those that support none are grey.
+/// \param surface the surface on which they were found
+/// \param points a range of salient points
 template <class SalientPointRange>
 std::vector<PLY_element> salient_points_PLY(const Triangle_surface& surface,
                                             const SalientPointRange& points)
@@ -93,6 +97,8 @@ std::vector<PLY_element> salient_points_PLY(const Triangle_surface& surface,
 /// \brief returns a point set that shows what its points support, for `write_PLY()`.
 ///
 /// As for meshes, but everything is in the element `vertex`, which has the normals `nx`, `ny`, `nz`, too.
+/// \param surfels the points among which they were found
+/// \param points a range of salient points
 template <class SalientPointRange>
 std::vector<PLY_element> salient_points_PLY(const Surfels& surfels, const SalientPointRange& points)
 {

@@ -27,6 +27,8 @@ namespace IO {
 
 /// \ingroup PkgAreaProjectionTransformIO
 /// \brief writes the names of the columns of a table of descriptors: `file`, `h0`, `h1`, …
+/// \param out where the table goes
+/// \param dimension how many numbers a descriptor has
 inline void write_shape_descriptors_CSV_header(std::ostream& out, std::size_t dimension)
 {
   CSV_writer table(out);
@@ -39,6 +41,9 @@ inline void write_shape_descriptors_CSV_header(std::ostream& out, std::size_t di
 /// \ingroup PkgAreaProjectionTransformIO
 /// \brief writes a row of a table of descriptors: the name of a shape, and numbers that read back as the same floats.
 /// \tparam Range of `float`
+/// \param out where the table goes
+/// \param name the shape
+/// \param values its descriptor
 template <class Range>
 void write_shape_descriptor_CSV_row(std::ostream& out, const std::string& name, const Range& values)
 {
@@ -96,6 +101,8 @@ inline Named_descriptors read_shape_descriptors_CSV(std::istream& in, const std:
 
 /// \ingroup PkgAreaProjectionTransformIO
 /// reads a table of descriptors from a file.
+/// \param file_name the file
+/// \param block_size as `Shape_descriptor::block_size`
 inline Named_descriptors read_shape_descriptors_CSV(const std::string& file_name,
                                                     std::size_t block_size)
 {

@@ -105,6 +105,7 @@ using Centerline_graph =
 
 /// \ingroup PkgAreaProjectionTransformCenterlines
 /// returns the branches of a graph of centrelines: each edge belongs to one.
+/// \param graph the lines
 inline const std::vector<Centerline_branch>& branches(const Centerline_graph& graph)
 {
   return graph[boost::graph_bundle].branches;
@@ -112,6 +113,7 @@ inline const std::vector<Centerline_branch>& branches(const Centerline_graph& gr
 
 /// \ingroup PkgAreaProjectionTransformCenterlines
 /// returns the vertices in which branches end, ascending.
+/// \param graph the lines
 inline std::vector<std::size_t> nodes(const Centerline_graph& graph)
 {
   std::vector<std::size_t> nodes;

@@ -167,6 +167,9 @@ void take_directions_of_voters(const Source& surface, Side side, const Joint_map
 /// two. Paths cut corners, since the vesselness hardly falls near the axis, turn to a corner of the region at its
 /// ends, and end about a radius before the end of a tube, where the map is that of a ball. Sections of 1 to 2 are no
 /// lines.
+/// \param map the joint map
+/// \param vesselness how much it looks like a line, of the same region
+/// \param options what becomes of it
 /// \throw std::invalid_argument if an option is out of range, or the two are not of the same region.
 ///
 /// Complexity: `O(n log n)` for `n` voxels above the threshold, and for each region linear in the number of rows of

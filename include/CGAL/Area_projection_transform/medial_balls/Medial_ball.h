@@ -96,6 +96,7 @@ enum class Medial_weight {
 ///
 /// Balls that escaped through a wrong normal or between samples have two contacts far from each other, which `λ`
 /// takes for much; but there is hardly any surface that agrees with them.
+/// \param sigma_ratio the ratio `σ/R`, in (0, 1)
 inline double least_medial_mapt(double sigma_ratio)
 {
   return 0.75 * sigma_ratio * sigma_ratio / 2;

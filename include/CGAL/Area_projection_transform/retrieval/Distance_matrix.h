@@ -57,6 +57,8 @@ private:
 ///
 /// \tparam ConcurrencyTag `CGAL::Sequential_tag`, `CGAL::Parallel_tag` or
 /// `CGAL::Parallel_if_available_tag`; the result does not depend on it
+/// \param table the descriptors of the shapes
+/// \param distance compares two of them
 /// \throw std::invalid_argument if the distance is for descriptors of another length
 ///
 /// Complexity: `n²/2` distances for `n` shapes.

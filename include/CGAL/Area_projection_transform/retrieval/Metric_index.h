@@ -83,6 +83,10 @@ private:
 /// \ingroup PkgAreaProjectionTransformRetrieval
 /// \brief returns the `number` shapes of a table that are nearest to a descriptor, the nearest first, by comparing it with
 /// all. Of equal distances the lower index comes first.
+/// \param table the descriptors of the shapes
+/// \param distance compares two of them
+/// \param query as many numbers as a row of the table has
+/// \param number how many are wanted
 /// \pre `query` has as many numbers as the rows of the table
 inline std::vector<Neighbor> nearest_by_scan(const Descriptor_table& table,
                                              const Histogram_distance& distance, const float* query,

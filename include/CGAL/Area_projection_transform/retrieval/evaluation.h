@@ -112,6 +112,8 @@ inline double e_measure(std::size_t hits, std::size_t listed, std::size_t releva
 /// \brief returns where those of the same class come, from the distances of all shapes.
 ///
 /// Of equal distances the shape of the lower index comes first. Distances from a shape to itself do not matter.
+/// \param distances those of all pairs of shapes
+/// \param labels the classes of the shapes
 /// \throw std::invalid_argument if there are not as many labels as shapes, or a distance is not a number
 template <class ConcurrencyTag = CGAL::Sequential_tag>
 Relevant_ranks relevant_ranks(const Distance_matrix& distances, const Class_labels& labels)
@@ -132,6 +134,9 @@ Relevant_ranks relevant_ranks(const Distance_matrix& distances, const Class_labe
 
 /// \ingroup PkgAreaProjectionTransformRetrieval
 /// \brief the same from descriptors, without the matrix, which takes 4 bytes for each pair.
+/// \param table the descriptors of the shapes
+/// \param distance compares two of them
+/// \param labels the classes of the shapes
 /// \throw std::invalid_argument if there are not as many labels as shapes, or the distance is for others
 template <class ConcurrencyTag = CGAL::Sequential_tag>
 Relevant_ranks relevant_ranks(const Descriptor_table& table, const Histogram_distance& distance,

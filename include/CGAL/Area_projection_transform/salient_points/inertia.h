@@ -76,6 +76,7 @@ inline Covariance_3 map_covariance(const Row_spans& region, const std::vector<fl
 /// \brief returns blobness, flatness and vesselness of a distribution; NaN if it has no extent.
 ///
 /// They sum to 1. The smallest extent over the largest, the sphericity, is the blobness.
+/// \param covariance the covariance matrix of the map around the point
 inline Inertia_descriptors inertia_descriptors(const Covariance_3& covariance)
 {
   Eigen::Matrix3d matrix;

@@ -66,6 +66,7 @@ struct Paper_salient_options
 /// `√A / 80π` (0.02), each centre once, and the cylinder by a row of points; with the other (0.32) nothing
 /// but one point in the largest sphere is left by the Gaussian, which is then wider than the peaks.
 /// (`scripts/paper-figures --figure 9` repeats that.)
+/// \param area the area of the surface, in squared units of length
 inline double paper_reference_length(double area)
 {
   return std::sqrt(area) / (80 * 3.14159265358979323846);

@@ -105,6 +105,7 @@ Interior interior_of(const Solid& solid, double spacing)
 ///
 /// \tparam ConcurrencyTag `CGAL::Sequential_tag`, `CGAL::Parallel_tag` or
 /// `CGAL::Parallel_if_available_tag`
+/// \param surface triangles, facing outward
 /// \throw std::invalid_argument if the surface has no faces, encloses nothing, or faces inward.
 template <class ConcurrencyTag = CGAL::Sequential_tag>
 double enclosed_volume(const Triangle_surface& surface)

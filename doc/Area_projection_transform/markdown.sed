@@ -19,11 +19,15 @@
 
 s/\$`([^`]*)`\$/\\f$\1\\f$/g
 
-# Symbols beside signs that are not ASCII, as in *c*²: Doxygen sees no emphasis there.
+# Bold around code.
+s/\*\*(`[^*]*`)\*\*/<b>\1<\/b>/g
+
+# Symbols beside signs that are not ASCII, as in *c*², or beside bold ones: Doxygen sees no emphasis there.
+s/\*([A-Za-z])\*\*\*([A-Za-z])\*\*/<em>\1<\/em><b>\2<\/b>/g
 :symbol
 s/(^|[^*])\*(σ|ρ|α|λ|[A-Za-z])\*([^*]|$)/\1<em>\2<\/em>\3/
 t symbol
 
 # Links to examples.
-s/\]\(\.\.\/\.\.\/examples\/(Area_projection_transform\/[a-z_]*\.cpp)\)/](@ref \1)/g
-s/\]\(\.\.\/\.\.\/examples\/Area_projection_transform\)/](examples.html)/g
+s/\[`?([a-z_ ]*(\.cpp)?)`?\]\(\.\.\/\.\.\/examples\/Area_projection_transform\/([a-z_]*\.cpp)\)/@ref \3 "\1"/g
+s/\[([a-z ]*)\]\(\.\.\/\.\.\/examples\/Area_projection_transform\)/@ref PkgAreaProjectionTransformExamples "\1"/g

@@ -29,6 +29,10 @@ namespace Area_projection {
 class Grid_3
 {
 public:
+  /// \brief constructs a lattice.
+  /// \param origin the centre of the first voxel
+  /// \param spacing the distance of neighbours, in the unit of the points
+  /// \param size the numbers of lattice points along the axes
   /// \throw std::invalid_argument if `spacing` is not positive and finite, a coordinate of `origin`
   /// is not finite, or a size is not positive.
   Grid_3(const Point_3& origin, double spacing, const std::array<int, 3>& size)

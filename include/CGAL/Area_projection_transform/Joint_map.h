@@ -32,6 +32,9 @@ public:
   /// the index of no scale: where the transform is zero at all scales.
   static constexpr std::uint8_t no_scale = 255;
 
+  /// \brief constructs a map that is zero.
+  /// \param region the voxels
+  /// \param scales the scales that will come
   /// \throw std::invalid_argument if there are more than 255 scales or their radii do not ascend.
   Joint_map(std::shared_ptr<const Row_spans> region, std::vector<Scale> scales)
       : m_region(std::move(region))

@@ -67,6 +67,8 @@ public:
   ///
   /// `fill_row(row, values)` writes `grid().size()[0]` values to the `Scalar* values`. The rows are
   /// asked for one at a time, in ascending order, and once for each file.
+  /// \param name the name that viewers show
+  /// \param fill_row computes a row
   /// \throw std::invalid_argument if there is an array of that name.
   template <class Scalar, class FillRow>
   void add_array(const std::string& name, FillRow fill_row)

@@ -49,6 +49,8 @@ public:
   PLY_element(std::string name, std::size_t size) : m_name(std::move(name)), m_size(size) {}
 
   /// \brief adds a property with a value for each element.
+  /// \param property the name of the property
+  /// \param values the values, one for each element
   /// \throw std::invalid_argument if there is another number of values, or PLY has no such type (integers
   /// of 64 bits).
   PLY_element& add(const std::string& property, Typed_values values)
@@ -63,6 +65,8 @@ public:
   }
 
   /// \brief adds a list of three indices for each element, such as `vertex_indices` of faces.
+  /// \param property the name of the property
+  /// \param triangles the lists, one for each element
   /// \throw std::invalid_argument if there is another number of triangles.
   PLY_element& add_list(const std::string& property, Triangles triangles)
   {

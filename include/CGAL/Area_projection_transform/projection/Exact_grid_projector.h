@@ -47,6 +47,10 @@ public:
   Exact_grid_projector(const Row_spans&& region, std::vector<Nested_ball> = {}) = delete;
 
   /// \brief computes the transform at one scale.
+  /// \param surface the surface
+  /// \param scale the radius and `σ`, in the units of the surface
+  /// \param side the side on which it is projected
+  /// \param cancelled asked now and then whether to stop
   /// \pre the rows of the scale before have all been taken
   /// \return the area of the triangles whose projected centroids fall outside of the grid
   /// \tparam ScaleSpace a model of `TriangleScaleSpace`

@@ -63,6 +63,10 @@ public:
   }
 
   /// \brief computes the transform at one scale.
+  /// \param surface the surface
+  /// \param scale the radius and `σ`, in the units of the surface
+  /// \param side the side on which it is projected
+  /// \param cancelled asked now and then whether to stop
   /// \pre the rows of the scale before have all been taken
   /// \return the area of the pieces whose mean falls outside of the grid
   /// \throw std::invalid_argument if `σ` is less than 0.01 voxels or more than 1000

@@ -101,6 +101,10 @@ public:
   Paper_grid_projector(const Row_spans&& region, std::vector<Nested_ball> = {}) = delete;
 
   /// \brief computes the transform at one scale, in place of what the projector held.
+  /// \param surface the surface
+  /// \param scale the radius and `σ`, in the units of the surface
+  /// \param side the side on which it is projected
+  /// \param cancelled asked now and then whether to stop
   /// \return the area whose projection falls outside of the grid and is lost
   /// \throw std::invalid_argument if `σ` is more than 1000 voxels
   /// \tparam ScaleSpace a model of `SurfelScaleSpace`

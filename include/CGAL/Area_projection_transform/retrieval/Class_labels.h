@@ -35,6 +35,7 @@ public:
   }
 
   /// \brief adds a shape. Classes are numbered in the order in which they come.
+  /// \param class_name its class; empty if it has none
   void push_back(const std::string& class_name)
   {
     if(class_name.empty()) {

@@ -52,6 +52,7 @@ public:
 
   /// \brief adds a row.
   /// \tparam Range of numbers
+  /// \param descriptor the numbers
   /// \throw std::invalid_argument if it has not `dimension()` of them, or one is negative or not finite
   template <class Range>
   void push_back(const Range& descriptor)

@@ -28,6 +28,9 @@ public:
   /// constructs a matrix of zeros for `size` shapes: 4 bytes for each pair.
   explicit Distance_matrix(std::size_t size) : m_size(size), m_values(size * size, 0.f) {}
 
+  /// \brief constructs a matrix of given distances.
+  /// \param size the number of shapes
+  /// \param values the distances, row by row
   /// \throw std::invalid_argument if there are not `size²` values
   Distance_matrix(std::size_t size, std::vector<float> values)
       : m_size(size), m_values(std::move(values))

@@ -47,6 +47,10 @@ public:
   /// the mean and the covariance are told. The areas sum to the area of the surface. May be called
   /// concurrently.
   ///
+  /// \param radius the distance of projection, in the units of the surface
+  /// \param side the side on which it is projected
+  /// \param spacing the distance of the points, positive, in the same units
+  /// \param sink receives them
   /// \throw std::invalid_argument if `spacing` is not positive.
   ///
   /// Complexity: linear in the number of points handed over.

@@ -71,6 +71,10 @@ public:
 
   /// \brief hands the parallel surface at `radius` to `sink(const Projected_surfels&)`, as
   /// `Constant_scale_space::project()` does.
+  /// \param radius the distance of projection, positive, in the units of the surface
+  /// \param side the side on which it is projected
+  /// \param spacing the distance of the points, positive, in the same units
+  /// \param sink receives them
   /// \throw std::invalid_argument if `radius` or `spacing` is not positive; and as the smoother does.
   template <class BatchSink>
   void project(double radius, Side side, double spacing, BatchSink&& sink) const

@@ -9,6 +9,7 @@
 import html.parser
 import pathlib
 import re
+import shutil
 import subprocess
 import tempfile
 import unittest
@@ -109,6 +110,16 @@ class Manual(unittest.TestCase):
         self.assertEqual(scripts, ["mathjax/MathJax.js?config=TeX-AMS_SVG"])
         self.assertRegex(text, r"\\\[[^<]*\\\]")
         self.assertTrue((self.folder / "mathjax" / "config" / "TeX-AMS_SVG.js").exists())
+
+    @unittest.skipUnless(shutil.which("chromium"), "chromium is not installed")
+    def test_formulas_are_drawn_in_a_browser(self):
+        with tempfile.TemporaryDirectory() as profile:
+            page = subprocess.run(
+                ["chromium", "--headless", "--no-sandbox", "--disable-gpu", f"--user-data-dir={profile}",
+                 "--virtual-time-budget=20000", "--dump-dom", (self.folder / "index.html").as_uri()],
+                capture_output=True, text=True, timeout=120, check=True).stdout
+        self.assertEqual(page.count('class="MathJax_SVG_Display"'), 4)
+        self.assertNotIn("Math Processing Error", page)
 
     def test_markdown_is_understood(self):
         for path in [self.folder / "index.html", *self.folder.glob("md_*.html")]:

@@ -18,6 +18,7 @@ namespace mapt {
 // console. They throw Usage_error, Input_error, CGAL::Area_projection::IO::Output_error and
 // Interruption; they return whether there was work, which --help is not.
 
+bool run_report(const std::vector<std::string>& arguments, Console& console);
 bool run_transform(const std::vector<std::string>& arguments, Console& console);
 bool run_evaluate(const std::vector<std::string>& arguments, Console& console);
 bool run_salient(const std::vector<std::string>& arguments, Console& console);

@@ -31,6 +31,7 @@ struct Command
 const std::vector<Command>& commands()
 {
   static const std::vector<Command> all{
+      {"report", "a page for the browser with all that follows", run_report},
       {"transform", "maps of a mesh: the surface that projects to each voxel", run_transform},
       {"evaluate", "the same at given points and radii", run_evaluate},
       {"salient", "the centres of spheres and tubes, with radii", run_salient},
@@ -55,7 +56,7 @@ void print_help()
                "Lengths are in the units of the mesh.\n"
                "Exit codes: 0 done, 1 internal error, 2 wrong usage, 3 input unusable,\n"
                "4 output not written, 130 interrupted.\n\n"
-               "Try: mapt transform hand.obj -o hand.vti --picture hand.png\n";
+               "Try: mapt report hand.obj -o hand.html\n";
 }
 
 [[noreturn]] void fail_for_command(const std::string& word)

@@ -9,6 +9,7 @@
 
 #include <CGAL/Area_projection_transform/centerlines/Ball_graph.h>
 #include <CGAL/Area_projection_transform/centerlines/Draft_graph.h>
+#include <CGAL/Area_projection_transform/internal/Disjoint_sets.h>
 #include <CGAL/Area_projection_transform/internal/parallel_workers.h>
 
 #include <Eigen/Cholesky>
@@ -18,7 +19,6 @@
 #include <cmath>
 #include <cstddef>
 #include <cstdint>
-#include <numeric>
 #include <optional>
 #include <tuple>
 #include <utility>
@@ -27,35 +27,6 @@
 namespace CGAL {
 namespace Area_projection {
 namespace internal {
-
-/// which things are connected.
-class Disjoint_sets
-{
-public:
-  explicit Disjoint_sets(std::size_t number) : m_parent(number)
-  {
-    std::iota(m_parent.begin(), m_parent.end(), std::size_t(0));
-  }
-
-  std::size_t find(std::size_t i)
-  {
-    while(m_parent[i] != i)
-      i = m_parent[i] = m_parent[m_parent[i]];
-    return i;
-  }
-
-  /// returns whether they were not connected before.
-  bool unite(std::size_t i, std::size_t j)
-  {
-    i = find(i);
-    j = find(j);
-    m_parent[std::max(i, j)] = std::min(i, j);
-    return i != j;
-  }
-
-private:
-  std::vector<std::size_t> m_parent;
-};
 
 /// \brief joins the ends of lines that are inside the shape to other lines.
 ///

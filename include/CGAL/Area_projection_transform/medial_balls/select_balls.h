@@ -105,11 +105,17 @@ public:
 
   /// calls `function(place)` for the places that are no farther from a ball than the tolerance.
   template <class Function>
-  void for_each_covered(const Medial_ball& ball, Function&& function) const
+  void for_each_covered(const Point_3& center, double radius, Function&& function) const
   {
     if(!m_points.empty())
-      m_cells.for_each_in_ball(to_eigen(ball.center), ball.radius + m_tolerance,
+      m_cells.for_each_in_ball(to_eigen(center), radius + m_tolerance,
                                [&](std::size_t i, double) { function(i); });
+  }
+
+  template <class Function>
+  void for_each_covered(const Medial_ball& ball, Function&& function) const
+  {
+    for_each_covered(ball.center, ball.radius, function);
   }
 
   std::size_t size() const { return m_points.size(); }
@@ -229,6 +235,40 @@ std::vector<std::size_t> select_covering(const std::vector<Medial_ball>& balls,
     if(best.gain > 0)
       selected.push_back(best.ball);
     places.for_each_covered(balls[best.ball], [&](std::size_t i) { is_covered[i] = true; });
+  }
+  return selected;
+}
+
+/// \ingroup PkgAreaProjectionTransformMedialBalls
+/// \brief returns the first ones of an order of balls that cover a part of the surface, or all if they do not.
+/// \tparam Source `Triangle_surface` or `Surfels`
+/// \param order positions in `balls`
+/// \param surface that of the balls
+/// \param tolerance the surface is covered up to that distance from a ball, in its units, positive
+/// \param part of the area, in [0, 1]
+/// \throw std::invalid_argument if the tolerance is not positive and finite, or the part not in its range
+template <class Source>
+std::vector<std::size_t> select_until_covered(const std::vector<Medial_ball>& balls,
+                                              const std::vector<std::size_t>& order,
+                                              const Source& surface, double tolerance, double part)
+{
+  internal::check_positive(tolerance, "tolerance");
+  if(!(part >= 0 && part <= 1))
+    throw std::invalid_argument("part is " + std::to_string(part) + ": must be from 0 to 1");
+  const internal::Covered_surface places(surface, 20000, tolerance);
+  const double enough = part * places.total_area();
+  std::vector<bool> is_covered(places.size(), false);
+  std::vector<std::size_t> selected;
+  double covered = 0;
+  for(const std::size_t ball : order) {
+    if(covered >= enough)
+      break;
+    selected.push_back(ball);
+    places.for_each_covered(balls[ball], [&](std::size_t i) {
+      if(!is_covered[i])
+        covered += places.area(i);
+      is_covered[i] = true;
+    });
   }
   return selected;
 }

@@ -1,0 +1,109 @@
+// Copyright (c) 2026 The Area Projection Transform authors.
+//
+// This file is part of the Area_projection_transform package.
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#ifndef CGAL_AREA_PROJECTION_TRANSFORM_MEDIAL_AXIS_COMPARISON_MEDIAL_REPRESENTATION_H
+#define CGAL_AREA_PROJECTION_TRANSFORM_MEDIAL_AXIS_COMPARISON_MEDIAL_REPRESENTATION_H
+
+#include <CGAL/Area_projection_transform/Kernel.h>
+#include <CGAL/Area_projection_transform/centerlines/Centerline_graph.h>
+#include <CGAL/Area_projection_transform/internal/Disjoint_sets.h>
+#include <CGAL/Area_projection_transform/medial_balls/Medial_ball.h>
+#include <CGAL/Area_projection_transform/medial_complex.h>
+
+#include <boost/graph/adjacency_list.hpp>
+
+#include <array>
+#include <cstddef>
+#include <cstdint>
+#include <optional>
+#include <string>
+#include <utility>
+#include <vector>
+
+namespace CGAL {
+namespace Area_projection {
+
+/// \ingroup PkgAreaProjectionTransformFeatures
+/// \brief what all medial axes, skeletons and centrelines have in common: balls, and what connects them.
+///
+/// Whatever can be written down like that can be compared. Lengths are in the units of the surface.
+struct Medial_representation
+{
+  std::string name;
+  std::vector<Point_3> centers;
+  std::vector<double> radii;                           ///< one for each centre
+  std::vector<std::array<std::uint32_t, 2>> edges;     ///< positions in `centers`; none if unknown
+  std::vector<std::array<std::uint32_t, 3>> triangles; ///< positions in `centers`; none of lines
+  std::optional<Betti_numbers> topology;               ///< nothing if the connections are unknown
+  double seconds = 0; ///< what it took to find it, from the surface on
+
+  std::size_t size() const { return centers.size(); }
+};
+
+/// \ingroup PkgAreaProjectionTransformFeatures
+/// \brief represents some medial balls, connected as `medial_complex()` connects them.
+/// \param selected positions in `balls`
+/// \param growth of the balls for their connections, see `crack_width()`
+/// \throw std::invalid_argument if `growth` is negative or not finite
+/// \throw std::out_of_range if one of `selected` is
+inline Medial_representation medial_representation(const std::string& name,
+                                                   const std::vector<Medial_ball>& balls,
+                                                   const std::vector<std::size_t>& selected,
+                                                   double growth = 0)
+{
+  Medial_representation result;
+  result.name = name;
+  for(const std::size_t i : selected) {
+    result.centers.push_back(balls.at(i).center);
+    result.radii.push_back(balls[i].radius);
+  }
+  Medial_complex complex = medial_complex(result.centers, result.radii, growth);
+  result.edges = std::move(complex.edges);
+  result.triangles = std::move(complex.triangles);
+  result.topology = complex.topology;
+  return result;
+}
+
+/// \ingroup PkgAreaProjectionTransformFeatures
+/// \brief represents a curve skeleton: a graph with the places of its vertices in `graph[v].point`, as those of
+/// \cgal and of `centerlines()` have them.
+/// \tparam Graph a model of `VertexListGraph` and `EdgeListGraph` whose vertices are numbers from 0 on
+/// \param radius_of tells the radius at a vertex
+template <class Graph, class RadiusOfVertex>
+Medial_representation skeleton_representation(const std::string& name, const Graph& graph,
+                                              const RadiusOfVertex& radius_of)
+{
+  Medial_representation result;
+  result.name = name;
+  internal::Disjoint_sets pieces(num_vertices(graph));
+  for(auto [v, end] = vertices(graph); v != end; ++v) {
+    result.centers.push_back(internal::to_point(graph[*v].point));
+    result.radii.push_back(radius_of(*v));
+  }
+  for(auto [e, end] = edges(graph); e != end; ++e) {
+    const std::size_t from = source(*e, graph), to = target(*e, graph);
+    result.edges.push_back({std::uint32_t(from), std::uint32_t(to)});
+    pieces.unite(from, to);
+  }
+  Betti_numbers topology;
+  topology.components = long(pieces.number());
+  topology.loops = topology.components - (long(result.centers.size()) - long(result.edges.size()));
+  result.topology = topology;
+  return result;
+}
+
+/// \ingroup PkgAreaProjectionTransformFeatures
+/// \brief represents centrelines, with the radii that were fitted.
+inline Medial_representation medial_representation(const std::string& name,
+                                                   const Centerline_graph& graph)
+{
+  return skeleton_representation(name, graph, [&graph](std::size_t v) { return graph[v].radius; });
+}
+
+} // namespace Area_projection
+} // namespace CGAL
+
+#endif // CGAL_AREA_PROJECTION_TRANSFORM_MEDIAL_AXIS_COMPARISON_MEDIAL_REPRESENTATION_H

@@ -1,0 +1,136 @@
+// Copyright (c) 2026 The Area Projection Transform authors.
+//
+// This file is part of the Area_projection_transform package.
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#ifndef CGAL_AREA_PROJECTION_TRANSFORM_MEDIAL_AXIS_COMPARISON_AXIS_DISTANCES_H
+#define CGAL_AREA_PROJECTION_TRANSFORM_MEDIAL_AXIS_COMPARISON_AXIS_DISTANCES_H
+
+#include <CGAL/Area_projection_transform/Triangle_surface.h>
+#include <CGAL/Area_projection_transform/internal/parallel_workers.h>
+#include <CGAL/Area_projection_transform/medial_axis_comparison/Medial_representation.h>
+#include <CGAL/Area_projection_transform/medial_axis_comparison/Surface_distance.h>
+#include <CGAL/Area_projection_transform/scales.h>
+
+#include <algorithm>
+#include <cmath>
+#include <cstddef>
+#include <limits>
+#include <numeric>
+#include <utility>
+#include <vector>
+
+namespace CGAL {
+namespace Area_projection {
+
+/// \ingroup PkgAreaProjectionTransformFeatures
+/// \brief what is told of many numbers: all are NaN if there are none.
+struct Spread_of_values
+{
+  static constexpr double unknown = std::numeric_limits<double>::quiet_NaN();
+
+  double mean = unknown, median = unknown, quantile_95 = unknown, largest = unknown;
+};
+
+/// \ingroup PkgAreaProjectionTransformFeatures
+/// \brief summarises numbers.
+inline Spread_of_values spread_of(std::vector<double> values)
+{
+  if(values.empty())
+    return {};
+  std::sort(values.begin(), values.end());
+  const auto quantile = [&values](double part) {
+    return values[std::size_t(std::ceil(part * double(values.size() - 1)))];
+  };
+  const double sum = std::accumulate(values.begin(), values.end(), 0.);
+  return {sum / double(values.size()), quantile(0.5), quantile(0.95), values.back()};
+}
+
+/// \ingroup PkgAreaProjectionTransformFeatures
+/// \brief returns points all over a representation: the centres, and points on edges and triangles, so that no place of
+/// these is farther from one than about the spacing.
+/// \throw std::invalid_argument if the spacing is not positive and finite
+inline std::vector<Point_3> axis_samples(const Medial_representation& axis, double spacing)
+{
+  internal::check_positive(spacing, "spacing");
+  std::vector<Point_3> samples = axis.centers;
+  for(const auto& [from, to] : axis.edges) {
+    const Vector_3 edge = axis.centers[to] - axis.centers[from];
+    const double pieces = std::ceil(std::sqrt(edge.squared_length()) / spacing);
+    for(double i = 1; i < pieces; ++i)
+      samples.push_back(axis.centers[from] + i / pieces * edge);
+  }
+  for(const auto& corners : axis.triangles) {
+    const Point_3 &a = axis.centers[corners[0]], &b = axis.centers[corners[1]],
+                  &c = axis.centers[corners[2]];
+    const auto sample = [&](const internal::Triangle_piece& piece) {
+      if(piece.fraction == 1)
+        return; // a small triangle is represented by its corners
+      const auto w = piece.centroid();
+      samples.push_back(a + w[1] * (b - a) + w[2] * (c - a));
+    };
+    internal::for_each_piece(internal::whole_triangle(a, b, c), internal::largest_variance(spacing),
+                             sample);
+  }
+  return samples;
+}
+
+/// \cond SKIP_IN_MANUAL
+namespace internal {
+
+template <class ConcurrencyTag>
+Spread_of_values distances_from(const std::vector<Point_3>& points, const Nearest_point& nearest)
+{
+  std::vector<double> distances(points.size());
+  for_each_index<ConcurrencyTag>(points.size(),
+                                 [&](std::size_t i) { distances[i] = nearest(points[i]); });
+  return spread_of(std::move(distances));
+}
+
+} // namespace internal
+/// \endcond
+
+/// \ingroup PkgAreaProjectionTransformFeatures
+/// \brief returns how far points are from the nearest ones of others; the largest is the one-sided Hausdorff distance.
+///
+/// Infinite if there are none to be near to.
+template <class ConcurrencyTag = CGAL::Sequential_tag>
+Spread_of_values distances_from(const std::vector<Point_3>& points,
+                                const std::vector<Point_3>& others)
+{
+  return internal::distances_from<ConcurrencyTag>(points, internal::Nearest_point(others));
+}
+
+/// \ingroup PkgAreaProjectionTransformFeatures
+/// \brief how far two representations are from each other.
+///
+/// An axis with sheets and a skeleton without are far apart one way, and near the other: one number for both would hide
+/// that.
+struct Axis_distances
+{
+  Spread_of_values there; ///< from each place of the first to the nearest of the second
+  Spread_of_values back;  ///< from each place of the second to the nearest of the first
+
+  /// the two-sided Hausdorff distance.
+  double hausdorff() const { return std::max(there.largest, back.largest); }
+};
+
+/// \ingroup PkgAreaProjectionTransformFeatures
+/// \brief compares where two representations are.
+///
+/// Each sample counts alike, so that means depend on how a representation is sampled where it has more balls than the
+/// spacing asks for; largest distances are right up to the spacing.
+/// \throw std::invalid_argument if the spacing is not positive and finite
+template <class ConcurrencyTag = CGAL::Sequential_tag>
+Axis_distances axis_distances(const Medial_representation& first,
+                              const Medial_representation& second, double spacing)
+{
+  const std::vector<Point_3> a = axis_samples(first, spacing), b = axis_samples(second, spacing);
+  return {distances_from<ConcurrencyTag>(a, b), distances_from<ConcurrencyTag>(b, a)};
+}
+
+} // namespace Area_projection
+} // namespace CGAL
+
+#endif // CGAL_AREA_PROJECTION_TRANSFORM_MEDIAL_AXIS_COMPARISON_AXIS_DISTANCES_H

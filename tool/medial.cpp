@@ -11,6 +11,7 @@
 #include "describe_input.h"
 #include "file_elements.h"
 #include "map_file.h"
+#include "medial_comparison.h"
 #include "medial_options.h"
 #include "medial_picture.h"
 #include "medial_report.h"
@@ -19,10 +20,14 @@
 #include "threads.h"
 
 #include <CGAL/Area_projection_transform/IO/medial_balls_PLY.h>
+#include <CGAL/Area_projection_transform/medial_axis_comparison/shape_topology.h>
 #include <CGAL/Area_projection_transform/medial_balls.h>
+#include <CGAL/Area_projection_transform/medial_complex.h>
 
 #include <cmath>
 #include <limits>
+#include <string>
+#include <utility>
 
 namespace mapt {
 
@@ -76,11 +81,15 @@ Medial_result find_balls(const Source& source, const Medial_options& options)
     all.push_back(i);
   result.covered_by_all = AP::covered_part(result.balls, all, source, result.tolerance);
   result.covered_by_kept = AP::covered_part(result.balls, result.kept, source, result.tolerance);
+  result.growth = AP::crack_width(source.total_area(), result.balls.size());
+  result.complex = AP::medial_complex(result.balls, result.kept, result.growth);
+  result.shape = AP::shape_topology(source);
   return result;
 }
 
-void write_files(const Medial_result& result, const Surface& surface, const Input& input,
-                 const Medial_options& options, Console& console)
+void write_files(const Medial_result& result, const Axis_comparison& comparison,
+                 const Surface& surface, const Input& input, const Medial_options& options,
+                 Console& console)
 {
   auto& json = console.report["outputs"] = nlohmann::ordered_json::array();
   if(!options.picture.empty()) {
@@ -93,11 +102,26 @@ void write_files(const Medial_result& result, const Surface& surface, const Inpu
     Signal_watch::check();
     AP::IO::PLY_options format;
     format.comments = {"mapt medial: balls of " + options.mesh};
-    AP::IO::write_PLY(
-        options.output,
-        AP::IO::medial_balls_PLY(result.balls, result.kept, options.do_write_kept_only), format);
+    AP::IO::write_PLY(options.output,
+                      AP::IO::medial_balls_PLY(result.balls, result.kept, result.complex,
+                                               options.do_write_kept_only),
+                      format);
     json.push_back(options.output);
   }
+  if(!options.compare.empty()) {
+    Signal_watch::check();
+    write_comparison(options.compare, comparison);
+    json.push_back(options.compare);
+  }
+}
+
+void check_outputs(const Medial_options& options)
+{
+  for(const auto& [name, file] : {std::pair("--output", options.output),
+                                  {"--picture", options.picture},
+                                  {"--compare", options.compare}})
+    if(!file.empty())
+      check_output(name, file, {options.mesh});
 }
 
 } // namespace
@@ -107,10 +131,7 @@ bool run_medial(const std::vector<std::string>& arguments, Console& console)
   Medial_options options;
   if(!read_options(arguments, console, options))
     return false;
-  if(!options.output.empty())
-    check_output("--output", options.output, {options.mesh});
-  if(!options.picture.empty())
-    check_output("--picture", options.picture, {options.mesh});
+  check_outputs(options);
 
   Stopwatch watch;
   const Thread_limit limit(number_of_threads(options.common.threads));
@@ -121,14 +142,19 @@ bool run_medial(const std::vector<std::string>& arguments, Console& console)
   const auto surface = make_surface(input, Surface_options(), 1);
   const Medial_result result = std::visit(
       [&](const auto* source) { return find_balls(*source, options); }, surface->source());
+  Axis_comparison comparison;
+  if(!options.compare.empty())
+    comparison = compare_axes(*surface, options);
   const double computing = watch.seconds();
 
   const Signal_watch signals;
-  write_files(result, *surface, input, options, console);
+  write_files(result, comparison, *surface, input, options, console);
   report_cost({reading, computing, watch.seconds()}, console);
   for(const std::string file : console.report["outputs"])
     console.row("written", file);
   report_balls(result, options, console);
+  if(!options.compare.empty())
+    show_comparison(comparison, options, console);
   return true;
 }
 

@@ -38,7 +38,7 @@ void add_files(CLI::App& app, Medial_options& options)
       ->type_name("");
   app.add_option("-o,--output", options.output,
                  "the balls to write (.ply): vertices with radius, mapt, lambda, angle, "
-                 "scale_axis, kept and more")
+                 "scale_axis, kept and more, and the edges and faces between those that are kept")
       ->type_name("FILE")
       ->group("Output");
   app.add_flag("--kept-only", options.do_write_kept_only,
@@ -46,6 +46,13 @@ void add_files(CLI::App& app, Medial_options& options)
       ->group("Output");
   app.add_option("--picture", options.picture,
                  "a picture to write (.png): the balls in the surface, along the three axes")
+      ->type_name("FILE")
+      ->group("Output");
+  app.add_option(
+         "--compare", options.compare,
+         "what is measured of medial axes of this mesh, to write (.json): the one weighted by "
+         "the transform, the lambda and the scale axis, balls by chance and those that "
+         "cover the most, centrelines, and CGAL's skeleton")
       ->type_name("FILE")
       ->group("Output");
 }
@@ -88,6 +95,17 @@ void add_selection(CLI::App& app, Medial_options& options)
       ->group("Selection");
 }
 
+void add_comparison(CLI::App& app, Medial_options& options)
+{
+  app.add_option("--coverage", options.coverage,
+                 "with --compare: the part of the surface that each selection of balls has to "
+                 "cover, unless --balls gives their number")
+      ->type_name("PART")
+      ->check(CLI::Range(0., 1.))
+      ->capture_default_str()
+      ->group("Comparison");
+}
+
 void add_computation(CLI::App& app, Medial_options& options)
 {
   app.add_option("--spacing", options.computation.spacing,
@@ -117,6 +135,8 @@ void check(const Medial_options& options)
     check_extension("--output", options.output, {".ply"});
   if(!options.picture.empty())
     check_extension("--picture", options.picture, {".png"});
+  if(!options.compare.empty())
+    check_extension("--compare", options.compare, {".json"});
   if(options.do_write_kept_only && options.output.empty())
     throw Usage_error("--kept-only has nothing to write: name a file with --output");
   if(options.select == "random" && !options.balls)
@@ -144,6 +164,7 @@ bool read_options(const std::vector<std::string>& arguments, Console& console,
                    "All lengths are in the units of the mesh.");
   add_files(app, options);
   add_selection(app, options);
+  add_comparison(app, options);
   add_computation(app, options);
   add_console_options(app, console);
   if(!parse(app, arguments))

@@ -25,6 +25,7 @@ struct Medial_options
   std::string mesh;
   std::string output;  // empty: not written
   std::string picture; // empty: none
+  std::string compare; // empty: no comparison
   bool do_write_kept_only = false;
 
   std::string weight = "importance";
@@ -33,6 +34,7 @@ struct Medial_options
   std::string select = "strongest";
   std::uint64_t seed = 0;
   std::optional<double> tolerance; // default: 0.005 of the diagonal
+  double coverage = 0.9;           // that the axes which are compared keep
 
   std::string side = "inside";
   CGAL::Area_projection::Medial_ball_options computation;

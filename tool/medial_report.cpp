@@ -38,6 +38,41 @@ double largest_radius(const Medial_result& result)
   return largest;
 }
 
+Json to_json(const AP::Betti_numbers& topology)
+{
+  return {{"components", topology.components},
+          {"loops", topology.loops},
+          {"cavities", topology.cavities},
+          {"euler_number", topology.euler_number()}};
+}
+
+std::string to_text(const AP::Betti_numbers& topology)
+{
+  std::string text = counted(std::size_t(topology.components), "piece", "pieces") + ", " +
+                     counted(std::size_t(topology.loops), "loop", "loops");
+  if(topology.cavities > 0)
+    text += ", " + counted(std::size_t(topology.cavities), "cavity", "cavities");
+  return text;
+}
+
+// How the selected balls are connected, beside the shape.
+void report_connections(const Medial_result& result, Console& console)
+{
+  const AP::Medial_complex& complex = result.complex;
+  Json& json = console.report["medial"];
+  json["edges"] = complex.edges.size();
+  json["faces"] = complex.triangles.size();
+  json["growth"] = result.growth;
+  json["topology"] = to_json(complex.topology);
+  json["shape"] = result.shape ? to_json(*result.shape) : Json();
+  std::string text = to_text(complex.topology);
+  if(result.shape)
+    text += *result.shape == complex.topology ? ", as the shape"
+                                              : "; the shape has " + to_text(*result.shape);
+  console.row("connected", text + " (" + counted(complex.edges.size(), "edge", "edges") + ", " +
+                               counted(complex.triangles.size(), "face", "faces") + ")");
+}
+
 } // namespace
 
 void report_parameters(const Medial_options& options, Console& console)
@@ -79,6 +114,7 @@ void report_balls(const Medial_result& result, const Medial_options& options, Co
     console.warn("no ball has the weight that --prune asks for: ask for less");
   else
     console.row("largest", "radius " + to_text(largest_radius(result)));
+  report_connections(result, console);
 }
 
 } // namespace mapt

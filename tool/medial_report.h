@@ -9,18 +9,24 @@
 
 #include "medial_options.h"
 
+#include <CGAL/Area_projection_transform/medial_complex.h>
+
 #include <cstddef>
+#include <optional>
 #include <vector>
 
 namespace mapt {
 
-// The balls of a surface, those that were selected, and how much of the surface they cover.
+// The balls of a surface, those that were selected, how they are connected, and how much of the surface they cover.
 struct Medial_result
 {
   std::vector<CGAL::Area_projection::Medial_ball> balls;
   std::vector<std::size_t> kept; // positions in `balls`
   double tolerance = 0;
   double covered_by_all = 0, covered_by_kept = 0; // parts of the area
+  CGAL::Area_projection::Medial_complex complex;  // of those that were selected
+  double growth = 0;                              // of the balls, before they are connected
+  std::optional<CGAL::Area_projection::Betti_numbers> shape; // nothing if it is not closed
 };
 
 void report_parameters(const Medial_options& options, Console& console);

@@ -6,6 +6,8 @@
 
 """mapt medial: balls along the medial axis, and what is selected of them."""
 
+import json
+import math
 import unittest
 
 import numpy
@@ -17,15 +19,49 @@ from mapt_test import Test, OUTPUT_NOT_WRITTEN, UNUSABLE_INPUT, WRONG_USAGE, ico
 PROPERTIES = ["x", "y", "z", "radius", "mapt", "lambda", "angle", "scale_axis", "kept"]
 
 
+TYPES = {"double": "<f8", "uchar": "u1", "uint": "<u4", "int": "<i4"}
+
+
+def read_ply(file):
+    """The elements of a binary file by name, each an array with the properties by name."""
+    header, _, body = file.read_bytes().partition(b"end_header\n")
+    elements = []
+    for words in map(str.split, header.decode().splitlines()):
+        if words[0] == "element":
+            elements.append((words[1], int(words[2]), []))
+        elif words[:2] == ["property", "list"]:  # of three
+            elements[-1][2].extend([("count", TYPES[words[2]]), (words[4], TYPES[words[3]], 3)])
+        elif words[0] == "property":
+            elements[-1][2].append((words[2], TYPES[words[1]]))
+    arrays = {}
+    for name, number, fields in elements:
+        arrays[name] = numpy.frombuffer(body, dtype=fields, count=number)
+        body = body[arrays[name].nbytes:]
+    assert not body
+    return arrays
+
+
 def read_balls(file):
-    """The properties of the vertices of a binary file, by name, in its order."""
-    data = file.read_bytes()
-    header, _, body = data.partition(b"end_header\n")
-    types = {"double": "<f8", "uchar": "u1", "uint": "<u4"}
-    words = [line.split() for line in header.decode().splitlines()]
-    fields = [(word[2], types[word[1]]) for word in words if word[0] == "property"]
-    number = next(int(word[2]) for word in words if word[:2] == ["element", "vertex"])
-    return numpy.frombuffer(body, dtype=fields, count=number)
+    return read_ply(file)["vertex"]
+
+
+def torus(ring, tube, n, m):
+    """Points and triangles that face outward."""
+    angles = [(2 * math.pi * i / n, 2 * math.pi * j / m) for i in range(n) for j in range(m)]
+    points = [((ring + tube * math.cos(v)) * math.cos(u), (ring + tube * math.cos(v)) * math.sin(u),
+               tube * math.sin(v)) for u, v in angles]
+    faces = []
+    for i in range(n):
+        for j in range(m):
+            a, b = i * m + j, (i + 1) % n * m + j
+            c, d = (i + 1) % n * m + (j + 1) % m, i * m + (j + 1) % m
+            faces += [(a, b, c), (a, c, d)]
+    return points, faces
+
+
+def volume_of(points, faces):
+    p = numpy.array(points)[numpy.array(faces)]
+    return numpy.linalg.det(p).sum() / 6
 
 
 class Medial(Test):
@@ -80,6 +116,45 @@ class Medial(Test):
         points = vtk_to_numpy(reader.GetOutput().GetPoints().GetData())
         numpy.testing.assert_allclose(points[:, 0], balls["x"], atol=1e-6)
 
+    def test_are_connected_as_the_shape_is(self):
+        mesh = self.write("torus.off", off(*torus(1, 0.3, 60, 20)))
+        report = self.report("medial", mesh, "-o", self.file)["medial"]
+        self.assertEqual(report["topology"],
+                         {"components": 1, "loops": 1, "cavities": 0, "euler_number": 0})
+        self.assertEqual(report["shape"], report["topology"])
+        data = read_ply(self.file)
+        edges = numpy.stack([data["edge"]["vertex1"], data["edge"]["vertex2"]], axis=1)
+        faces = data["face"]["vertex_indices"]
+        self.assertEqual((len(edges), len(faces)), (report["edges"], report["faces"]))
+        self.assertTrue((data["face"]["count"] == 3).all())
+        self.assertEqual(len(numpy.unique(edges)) - len(edges) + len(faces), 0)
+        # Balls that are connected overlap, if they grow by what closes cracks.
+        balls = data["vertex"]
+        a, b = balls[edges[:, 0]], balls[edges[:, 1]]
+        apart = numpy.sqrt(sum((a[axis] - b[axis]) ** 2 for axis in "xyz"))
+        self.assertTrue((apart <= a["radius"] + b["radius"] + 2 * report["growth"]).all())
+        sides = {frozenset(edge) for edge in edges.tolist()}
+        for i, j, k in faces.tolist():
+            self.assertLessEqual({frozenset((i, j)), frozenset((j, k)), frozenset((i, k))}, sides)
+        reader = vtkPLYReader()
+        reader.SetFileName(str(self.file))
+        reader.Update()
+        self.assertEqual(reader.GetOutput().GetNumberOfPolys(), len(faces))
+
+    def test_that_are_left_out_are_not_connected(self):
+        mesh = self.write("torus.off", off(*torus(1, 0.3, 60, 20)))
+        report = self.report("medial", mesh, "-o", self.file, "--balls", "40", "--kept-only",
+                             "--select", "covering")["medial"]
+        data = read_ply(self.file)
+        self.assertEqual(len(data["vertex"]), report["kept"])
+        self.assertEqual(report["topology"]["loops"], 1)
+        for name in ("vertex1", "vertex2"):
+            self.assertLess(data["edge"][name].max(), report["kept"])
+        # Neighbours along the ring, not balls across it.
+        balls = data["vertex"]
+        a, b = balls[data["edge"]["vertex1"]], balls[data["edge"]["vertex2"]]
+        self.assertLess(((a["x"] - b["x"]) ** 2 + (a["y"] - b["y"]) ** 2).max(), 1)
+
     def test_picture_is_written(self):
         self.succeed("medial", self.mesh, "--balls", "3", "--picture", self.path / "p.png")
         self.assertEqual((self.path / "p.png").read_bytes()[:4], b"\x89PNG")
@@ -98,10 +173,79 @@ class Medial(Test):
                 ([self.mesh, "--stop-angle", "180"], WRONG_USAGE, "--stop-angle"),
                 ([self.mesh, "--select", "random"], WRONG_USAGE, "--balls"),
                 ([self.mesh, "--kept-only"], WRONG_USAGE, "--output"),
+                ([self.mesh, "--compare", self.path / "c.txt"], WRONG_USAGE, ".json"),
+                ([self.mesh, "--coverage", "2"], WRONG_USAGE, "--coverage"),
+                ([self.mesh, "--compare", self.path / "no" / "c.json"], OUTPUT_NOT_WRITTEN,
+                 "no/c.json"),
                 ([self.path / "none.off"], UNUSABLE_INPUT, "none.off"),
                 ([self.mesh, "-o", self.path / "no" / "b.ply"], OUTPUT_NOT_WRITTEN, "no/b.ply")]:
             with self.subTest(arguments=arguments):
                 self.fail_with(code, [text], "medial", *arguments)
+
+
+class Comparison(Test):
+
+    def setUp(self):
+        super().setUp()
+        self.file = self.path / "comparison.json"
+
+    def comparison(self, mesh, *arguments):
+        self.succeed("medial", mesh, "--compare", self.file, *arguments)
+        return json.loads(self.file.read_text(encoding="utf-8"))
+
+    def test_of_a_torus_knows_its_ring(self):
+        points, faces = torus(1, 0.3, 60, 20)
+        result = self.comparison(self.write("torus.off", off(points, faces)))
+        axes = {axis["name"]: axis for axis in result["representations"]}
+        self.assertEqual(list(axes), ["unpruned", "mapt", "lambda", "scale_axis", "random",
+                                      "covering", "centerlines", "skeleton"])
+        self.assertEqual(result["left_out"], [])
+        self.assertEqual(result["shape"]["loops"], 1)
+        for name, axis in axes.items():
+            self.assertEqual(axis["topology"], result["shape"], name)
+            solid = axis["volume"]["solid"]
+            self.assertLess(abs(solid["value"] - volume_of(points, faces)), 5 * solid["error"])
+            self.assertLess(solid["error"], 0.005 * solid["value"])
+            if name != "random":  # which runs out of balls that are apart
+                self.assertGreaterEqual(axis["coverage"], 0.9 - 1e-9)
+            for other, distances in axis["distances"].items():
+                self.assertEqual(distances["there"], axes[other]["distances"][name]["back"])
+                self.assertEqual(distances["hausdorff"], max(distances["there"]["largest"],
+                                                             distances["back"]["largest"]))
+                # Both are near the ring: within a fifth of the tube, and few balls are apart by
+                # 0.6 of their radii, so that places between them are not farther than that.
+                self.assertLess(distances["hausdorff"], 0.2 * 0.3)
+        # Chosen balls are medial balls: none is farther from the axis than their samples.
+        for name in ("mapt", "lambda", "scale_axis", "random", "covering"):
+            self.assertEqual(axes[name]["off_centre"]["largest"], 0)
+
+    def test_takes_as_many_balls_as_are_asked_for(self):
+        mesh = self.write("torus.off", off(*torus(1, 0.3, 60, 20)))
+        for axis in self.comparison(mesh, "--balls", "12")["representations"]:
+            if axis["name"] in ("mapt", "lambda", "scale_axis", "random", "covering"):
+                self.assertEqual(axis["balls"], 12)
+
+    def test_says_what_is_left_out(self):
+        points, faces = torus(1, 0.3, 60, 20)
+        mesh = self.write("open.off", off(points, faces[1:]))
+        result = self.succeed("medial", mesh, "--compare", self.file)
+        self.assertIn("skeleton is left out", result.stderr)
+        self.assertIn("3 edges have one face only", result.stderr)
+        self.assertIn("covering", result.stdout)
+        comparison = json.loads(self.file.read_text(encoding="utf-8"))
+        self.assertEqual([entry["name"] for entry in comparison["left_out"]], ["skeleton"])
+        self.assertIsNone(comparison["shape"])
+        self.assertIsNone(comparison["representations"][0]["volume"]["overlap"])
+
+    def test_does_not_depend_on_threads(self):
+        mesh = self.write("open.off", off(self.points, self.faces[1:]))  # has no skeleton, CGAL's
+        results = []
+        for threads in "1", "2":
+            result = self.comparison(mesh, "-j", threads)
+            for axis in result["representations"]:
+                del axis["seconds"]
+            results.append(result)
+        self.assertEqual(*results)
 
 
 if __name__ == "__main__":

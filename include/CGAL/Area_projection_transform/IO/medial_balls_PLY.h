@@ -9,11 +9,13 @@
 
 #include <CGAL/Area_projection_transform/IO/PLY.h>
 #include <CGAL/Area_projection_transform/medial_balls/Medial_ball.h>
+#include <CGAL/Area_projection_transform/medial_complex.h>
 
 #include <cstddef>
 #include <cstdint>
 #include <stdexcept>
 #include <string>
+#include <utility>
 #include <vector>
 
 namespace CGAL {
@@ -75,6 +77,45 @@ inline std::vector<PLY_element> medial_balls_PLY(const std::vector<Medial_ball>&
   add("refitted_radius", [](const Ball& b) { return b.refitted_radius; });
   vertices.add("source", std::move(sources));
   return {vertices};
+}
+
+/// \ingroup PkgAreaProjectionTransformIO
+/// \brief the same, and how the balls are connected: elements `face` with `vertex_indices`, and `edge` with `vertex1` and
+/// `vertex2`.
+/// \param complex that of the selected balls
+/// \throw std::invalid_argument also if the complex has a ball that is left out
+inline std::vector<PLY_element> medial_balls_PLY(const std::vector<Medial_ball>& balls,
+                                                 const std::vector<std::size_t>& kept,
+                                                 const Medial_complex& complex,
+                                                 bool only_kept = false)
+{
+  std::vector<PLY_element> elements = medial_balls_PLY(balls, kept, only_kept);
+  std::vector<bool> is_written(balls.size(), !only_kept);
+  for(const std::size_t i : kept)
+    is_written[i] = true;
+  std::vector<std::uint32_t> rows;
+  for(std::size_t i = 0, row = 0; i < balls.size(); ++i)
+    rows.push_back(std::uint32_t(is_written[i] ? row++ : 0));
+  const auto row_of = [&](std::uint32_t ball) {
+    if(ball >= balls.size() || !is_written[ball])
+      throw std::invalid_argument("complex has ball " + std::to_string(ball) +
+                                  ", which is not written");
+    return rows[ball];
+  };
+  std::vector<std::int32_t> first, second;
+  for(const auto& [a, b] : complex.edges) {
+    first.push_back(std::int32_t(row_of(a)));
+    second.push_back(std::int32_t(row_of(b)));
+  }
+  PLY_element::Triangles triangles;
+  for(const auto& [a, b, c] : complex.triangles)
+    triangles.push_back({row_of(a), row_of(b), row_of(c)});
+  // Edges last: VTK's reader takes what follows an element that it does not know for the next one that it does.
+  elements.emplace_back("face", triangles.size());
+  elements.back().add_list("vertex_indices", std::move(triangles));
+  elements.emplace_back("edge", first.size());
+  elements.back().add("vertex1", std::move(first)).add("vertex2", std::move(second));
+  return elements;
 }
 
 } // namespace IO

@@ -1,0 +1,203 @@
+// Copyright (c) 2026 The Area Projection Transform authors.
+//
+// This file is part of the Area_projection_transform package.
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#include "medial_comparison.h"
+
+#include "text.h"
+
+#include <CGAL/Area_projection_transform/internal/atomic_file.h>
+#include <CGAL/Area_projection_transform/medial_axis_comparison.h>
+
+#include <algorithm>
+#include <cstdio>
+#include <optional>
+#include <utility>
+#include <vector>
+
+namespace mapt {
+
+namespace {
+
+using Json = nlohmann::ordered_json;
+using Tag = CGAL::Parallel_if_available_tag;
+
+struct Comparison
+{
+  AP::Medial_axes axes;
+  std::vector<AP::Medial_measures> measures;                // of each axis
+  std::vector<std::vector<AP::Spread_of_values>> distances; // from each to each
+  std::optional<AP::Betti_numbers> shape;
+  double diagonal = 0;
+};
+
+template <class Source>
+Comparison compare(const Source& source, const Medial_options& options)
+{
+  AP::Medial_axes_options choices;
+  choices.balls = options.computation;
+  choices.lines.side = options.computation.side;
+  choices.coverage = options.coverage;
+  choices.number = options.balls;
+  choices.tolerance = options.tolerance;
+  choices.seed = options.seed;
+  Comparison result;
+  result.axes = AP::medial_axes<Tag>(source, choices);
+  result.shape = AP::shape_topology(source);
+  result.diagonal = AP::internal::diagonal_of(source.bbox());
+  if(result.axes.axes.empty())
+    return result;
+  const AP::Medial_judge<Source> judge(source, result.axes.axes.front(), result.axes.tolerance,
+                                       options.seed);
+  for(const AP::Medial_representation& axis : result.axes.axes)
+    result.measures.push_back(judge.template measure<Tag>(axis));
+  result.distances = AP::axis_distance_matrix<Tag>(result.axes.axes, result.axes.tolerance);
+  return result;
+}
+
+Json to_json(const AP::Spread_of_values& values)
+{
+  return {{"mean", values.mean},
+          {"median", values.median},
+          {"quantile_95", values.quantile_95},
+          {"largest", values.largest}};
+}
+
+Json to_json(const std::optional<AP::Betti_numbers>& topology)
+{
+  if(!topology)
+    return nullptr;
+  return {{"components", topology->components},
+          {"loops", topology->loops},
+          {"cavities", topology->cavities},
+          {"euler_number", topology->euler_number()}};
+}
+
+Json to_json(const AP::Ball_volume& volume)
+{
+  const auto estimate = [](const std::optional<AP::Estimated_volume>& v) {
+    return v ? Json{{"value", v->value}, {"error", v->error}} : Json();
+  };
+  const std::optional<double> overlap = volume.overlap();
+  return {{"balls", estimate(volume.balls)},
+          {"solid", estimate(volume.solid)},
+          {"common", estimate(volume.common)},
+          {"overlap", overlap ? Json(*overlap) : Json()}};
+}
+
+Json distances_to_json(const Comparison& comparison, std::size_t i)
+{
+  Json result = Json::object();
+  for(std::size_t j = 0; j < comparison.axes.axes.size(); ++j) {
+    if(i == j)
+      continue;
+    const AP::Axis_distances distances{comparison.distances[i][j], comparison.distances[j][i]};
+    result[comparison.axes.axes[j].name] = {{"hausdorff", distances.hausdorff()},
+                                            {"there", to_json(distances.there)},
+                                            {"back", to_json(distances.back)}};
+  }
+  return result;
+}
+
+Json axis_to_json(const Comparison& comparison, std::size_t i)
+{
+  const AP::Medial_representation& axis = comparison.axes.axes[i];
+  const AP::Medial_measures& measures = comparison.measures[i];
+  return {{"name", axis.name},
+          {"balls", axis.size()},
+          {"edges", axis.edges.size()},
+          {"faces", axis.triangles.size()},
+          {"topology", to_json(axis.topology)},
+          {"coverage", measures.coverage},
+          {"volume", to_json(measures.volume)},
+          {"radius_error", to_json(measures.radius_error)},
+          {"off_centre", to_json(measures.off_centre)},
+          {"distances", distances_to_json(comparison, i)},
+          {"seconds", axis.seconds}};
+}
+
+Json to_json(const Comparison& comparison, const Medial_options& options)
+{
+  Json result{{"file", options.mesh},
+              {"tolerance", comparison.axes.tolerance},
+              {"diagonal", comparison.diagonal},
+              {"shape", to_json(comparison.shape)},
+              {"representations", Json::array()},
+              {"left_out", Json::array()}};
+  for(std::size_t i = 0; i < comparison.axes.axes.size(); ++i)
+    result["representations"].push_back(axis_to_json(comparison, i));
+  for(const auto& [name, reason] : comparison.axes.left_out)
+    result["left_out"].push_back({{"name", name}, {"reason", reason}});
+  return result;
+}
+
+std::string row_of_table(const Comparison& comparison, std::size_t i)
+{
+  const AP::Medial_representation& axis = comparison.axes.axes[i];
+  const AP::Medial_measures& m = comparison.measures[i];
+  const double percent = 100 / comparison.diagonal;
+  const std::optional<double> overlap = m.volume.overlap();
+  char fills[16] = "       -", text[160];
+  if(overlap)
+    std::snprintf(fills, sizeof fills, "%8.2f", 100 * *overlap);
+  std::snprintf(text, sizeof text, "%-12s%7zu %8.2f %s %6ld %5ld %8.2f %8.2f %8.3f %8.3f %8.2f",
+                axis.name.c_str(), axis.size(), 100 * m.coverage, fills, axis.topology->components,
+                axis.topology->loops, 100 * m.radius_error.quantile_95,
+                100 * m.off_centre.quantile_95, percent * comparison.distances[i][0].largest,
+                percent * comparison.distances[0][i].largest, axis.seconds);
+  return text;
+}
+
+std::vector<std::string> table_of(const Comparison& comparison)
+{
+  std::vector<std::string> lines{"axis          balls   covers    fills pieces loops   radius    "
+                                 "aside    there     back  seconds"};
+  for(std::size_t i = 0; i < comparison.axes.axes.size(); ++i)
+    lines.push_back(row_of_table(comparison, i));
+  if(comparison.shape)
+    lines.push_back("The shape has " +
+                    counted(std::size_t(comparison.shape->components), "piece", "pieces") +
+                    " and " + counted(std::size_t(comparison.shape->loops), "loop", "loops") + ".");
+  lines.push_back("covers       the part of the surface within " +
+                  to_text(comparison.axes.tolerance) + " of the balls, in %");
+  lines.push_back("fills        the common volume of balls and shape, in % of that of either");
+  lines.push_back("radius       the error of the radius, in %; 5 % have more");
+  lines.push_back("aside        from the middle, 0, to the surface, 100; 5 % have more");
+  lines.push_back("there, back  the largest distance to and from the unpruned axis, in % of the "
+                  "diagonal");
+  return lines;
+}
+
+} // namespace
+
+Axis_comparison compare_axes(const Surface& surface, const Medial_options& options)
+{
+  const Comparison comparison =
+      std::visit([&](const auto* source) { return compare(*source, options); }, surface.source());
+  Axis_comparison result{to_json(comparison, options), table_of(comparison), {}};
+  for(const auto& [name, reason] : comparison.axes.left_out)
+    result.left_out.push_back(name + " is left out of the comparison: " + reason);
+  return result;
+}
+
+void write_comparison(const std::string& file, const Axis_comparison& comparison)
+{
+  AP::IO::internal::Atomic_file output(file);
+  // File names need not be UTF-8; what is not becomes a replacement character.
+  output.stream() << comparison.json.dump(2, ' ', false, Json::error_handler_t::replace) << '\n';
+  output.commit();
+}
+
+void show_comparison(const Axis_comparison& comparison, const Medial_options& options,
+                     Console& console)
+{
+  console.line("");
+  for(const std::string& line : comparison.table)
+    console.line(line);
+  for(const std::string& text : comparison.left_out)
+    console.warn(options.mesh + ": " + text);
+}
+
+} // namespace mapt

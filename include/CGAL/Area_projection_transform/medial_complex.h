@@ -24,7 +24,7 @@
 namespace CGAL {
 namespace Area_projection {
 
-/// \ingroup PkgAreaProjectionTransformFeatures
+/// \ingroup PkgAreaProjectionTransformMedialBalls
 /// \brief how balls are connected: the edges and triangles of a medial axis.
 ///
 /// Indices name the balls in the list that was given; those of a simplex ascend, as the simplices do.
@@ -36,7 +36,7 @@ struct Medial_complex
   Betti_numbers topology; ///< of the union of the balls, and of the complex
 };
 
-/// \ingroup PkgAreaProjectionTransformFeatures
+/// \ingroup PkgAreaProjectionTransformMedialBalls
 /// \brief returns how balls are connected, so that the complex has the topology of their union, whatever they are.
 ///
 /// Two or three balls are joined if they have a point in common that is as near to each, as the power of a point measures
@@ -75,7 +75,7 @@ inline Medial_complex medial_complex(const std::vector<Point_3>& centers,
   return {dual.vertices, dual.edges, dual.triangles, dual.topology};
 }
 
-/// \ingroup PkgAreaProjectionTransformFeatures
+/// \ingroup PkgAreaProjectionTransformMedialBalls
 /// \brief returns how some medial balls are connected.
 /// \param selected positions in `balls`, which the indices of the result are, too
 /// \throw std::invalid_argument if one of `selected` is out of range, or `growth` negative or not finite
@@ -94,7 +94,7 @@ inline Medial_complex medial_complex(const std::vector<Medial_ball>& balls,
   return medial_complex(centers, radii, growth);
 }
 
-/// \ingroup PkgAreaProjectionTransformFeatures
+/// \ingroup PkgAreaProjectionTransformMedialBalls
 /// \brief returns by how much the balls of a surface must grow to close the cracks between them: 0.3 of the spacing of
 /// their samples.
 ///

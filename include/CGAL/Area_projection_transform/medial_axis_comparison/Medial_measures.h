@@ -23,7 +23,7 @@
 namespace CGAL {
 namespace Area_projection {
 
-/// \ingroup PkgAreaProjectionTransformFeatures
+/// \ingroup PkgAreaProjectionTransformMedialComparison
 /// \brief what is measured of a representation of a surface, beside where others are.
 struct Medial_measures
 {
@@ -36,7 +36,7 @@ struct Medial_measures
   Spread_of_values off_centre;
 };
 
-/// \ingroup PkgAreaProjectionTransformFeatures
+/// \ingroup PkgAreaProjectionTransformMedialComparison
 /// \brief returns the part of the area of a surface that is no farther than a tolerance from the balls of a
 /// representation, in [0, 1].
 /// \tparam Source `Triangle_surface` or `Surfels`
@@ -54,7 +54,7 @@ double covered_part(const Medial_representation& axis, const Source& surface, do
   return covered_part(balls, all, surface, tolerance);
 }
 
-/// \ingroup PkgAreaProjectionTransformFeatures
+/// \ingroup PkgAreaProjectionTransformMedialComparison
 /// \brief measures representations of a surface, one after the other.
 /// \tparam Source `Triangle_surface` or `Surfels`
 template <class Source>
@@ -102,7 +102,7 @@ private:
   internal::Nearest_point m_axis_distance;
 };
 
-/// \ingroup PkgAreaProjectionTransformFeatures
+/// \ingroup PkgAreaProjectionTransformMedialComparison
 /// \brief returns the distances from each representation (row) to each other one (column).
 /// \throw std::invalid_argument if the spacing is not positive and finite
 template <class ConcurrencyTag = CGAL::Sequential_tag>

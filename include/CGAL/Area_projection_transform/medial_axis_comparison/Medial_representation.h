@@ -26,7 +26,7 @@
 namespace CGAL {
 namespace Area_projection {
 
-/// \ingroup PkgAreaProjectionTransformFeatures
+/// \ingroup PkgAreaProjectionTransformMedialComparison
 /// \brief what all medial axes, skeletons and centrelines have in common: balls, and what connects them.
 ///
 /// Whatever can be written down like that can be compared. Lengths are in the units of the surface.
@@ -43,7 +43,7 @@ struct Medial_representation
   std::size_t size() const { return centers.size(); }
 };
 
-/// \ingroup PkgAreaProjectionTransformFeatures
+/// \ingroup PkgAreaProjectionTransformMedialComparison
 /// \brief represents some medial balls, connected as `medial_complex()` connects them.
 /// \param selected positions in `balls`
 /// \param growth of the balls for their connections, see `crack_width()`
@@ -67,7 +67,7 @@ inline Medial_representation medial_representation(const std::string& name,
   return result;
 }
 
-/// \ingroup PkgAreaProjectionTransformFeatures
+/// \ingroup PkgAreaProjectionTransformMedialComparison
 /// \brief represents a curve skeleton: a graph with the places of its vertices in `graph[v].point`, as those of
 /// \cgal and of `centerlines()` have them.
 /// \tparam Graph a model of `VertexListGraph` and `EdgeListGraph` whose vertices are numbers from 0 on
@@ -95,7 +95,7 @@ Medial_representation skeleton_representation(const std::string& name, const Gra
   return result;
 }
 
-/// \ingroup PkgAreaProjectionTransformFeatures
+/// \ingroup PkgAreaProjectionTransformMedialComparison
 /// \brief represents centrelines, with the radii that were fitted.
 inline Medial_representation medial_representation(const std::string& name,
                                                    const Centerline_graph& graph)

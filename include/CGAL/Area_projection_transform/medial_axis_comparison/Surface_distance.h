@@ -80,7 +80,7 @@ private:
 } // namespace internal
 /// \endcond
 
-/// \ingroup PkgAreaProjectionTransformFeatures
+/// \ingroup PkgAreaProjectionTransformMedialComparison
 /// \brief distances from a surface: from its triangles, exactly, or from the nearest point of a point set.
 ///
 /// \tparam Source `Triangle_surface` or `Surfels`, which must stay where it is

@@ -24,7 +24,7 @@
 namespace CGAL {
 namespace Area_projection {
 
-/// \ingroup PkgAreaProjectionTransformFeatures
+/// \ingroup PkgAreaProjectionTransformMedialComparison
 /// \brief what is told of many numbers: all are NaN if there are none.
 struct Spread_of_values
 {
@@ -33,7 +33,7 @@ struct Spread_of_values
   double mean = unknown, median = unknown, quantile_95 = unknown, largest = unknown;
 };
 
-/// \ingroup PkgAreaProjectionTransformFeatures
+/// \ingroup PkgAreaProjectionTransformMedialComparison
 /// \brief summarises numbers.
 inline Spread_of_values spread_of(std::vector<double> values)
 {
@@ -47,7 +47,7 @@ inline Spread_of_values spread_of(std::vector<double> values)
   return {sum / double(values.size()), quantile(0.5), quantile(0.95), values.back()};
 }
 
-/// \ingroup PkgAreaProjectionTransformFeatures
+/// \ingroup PkgAreaProjectionTransformMedialComparison
 /// \brief returns points all over a representation: the centres, and points on edges and triangles, so that no place of
 /// these is farther from one than about the spacing.
 /// \throw std::invalid_argument if the spacing is not positive and finite
@@ -91,7 +91,7 @@ Spread_of_values distances_from(const std::vector<Point_3>& points, const Neares
 } // namespace internal
 /// \endcond
 
-/// \ingroup PkgAreaProjectionTransformFeatures
+/// \ingroup PkgAreaProjectionTransformMedialComparison
 /// \brief returns how far points are from the nearest ones of others; the largest is the one-sided Hausdorff distance.
 ///
 /// Infinite if there are none to be near to.
@@ -102,7 +102,7 @@ Spread_of_values distances_from(const std::vector<Point_3>& points,
   return internal::distances_from<ConcurrencyTag>(points, internal::Nearest_point(others));
 }
 
-/// \ingroup PkgAreaProjectionTransformFeatures
+/// \ingroup PkgAreaProjectionTransformMedialComparison
 /// \brief how far two representations are from each other.
 ///
 /// An axis with sheets and a skeleton without are far apart one way, and near the other: one number for both would hide
@@ -116,7 +116,7 @@ struct Axis_distances
   double hausdorff() const { return std::max(there.largest, back.largest); }
 };
 
-/// \ingroup PkgAreaProjectionTransformFeatures
+/// \ingroup PkgAreaProjectionTransformMedialComparison
 /// \brief compares where two representations are.
 ///
 /// Each sample counts alike, so that means depend on how a representation is sampled where it has more balls than the

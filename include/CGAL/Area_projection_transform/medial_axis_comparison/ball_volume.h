@@ -27,14 +27,14 @@
 namespace CGAL {
 namespace Area_projection {
 
-/// \ingroup PkgAreaProjectionTransformFeatures
+/// \ingroup PkgAreaProjectionTransformMedialComparison
 /// a volume, and the standard error of its estimate.
 struct Estimated_volume
 {
   double value = 0, error = 0;
 };
 
-/// \ingroup PkgAreaProjectionTransformFeatures
+/// \ingroup PkgAreaProjectionTransformMedialComparison
 /// \brief how much of a solid a union of balls fills.
 struct Ball_volume
 {
@@ -263,7 +263,7 @@ Ball_volume ball_volume(const Medial_representation& axis, const Triangle_surfac
 } // namespace internal
 /// \endcond
 
-/// \ingroup PkgAreaProjectionTransformFeatures
+/// \ingroup PkgAreaProjectionTransformMedialComparison
 /// \brief measures the union of the balls of a representation, and what of it is in the solid that a surface bounds.
 ///
 /// Lines parallel to the `z` axis are cut exactly; two of them, by chance, go through each of `rows` × `rows` cells, and the
@@ -280,7 +280,7 @@ Ball_volume ball_volume(const Medial_representation& axis, const Triangle_surfac
   return internal::ball_volume<ConcurrencyTag>(axis, is_solid ? &surface : nullptr, rows, seed);
 }
 
-/// \ingroup PkgAreaProjectionTransformFeatures
+/// \ingroup PkgAreaProjectionTransformMedialComparison
 /// \brief measures the union of the balls of a representation alone.
 template <class ConcurrencyTag = CGAL::Sequential_tag>
 Ball_volume ball_volume(const Medial_representation& axis, const Surfels&, std::uint64_t seed = 0,

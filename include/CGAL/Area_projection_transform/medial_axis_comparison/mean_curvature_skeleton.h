@@ -31,7 +31,7 @@
 namespace CGAL {
 namespace Area_projection {
 
-/// \ingroup PkgAreaProjectionTransformFeatures
+/// \ingroup PkgAreaProjectionTransformMedialComparison
 /// \brief tells why \cgal cannot make a skeleton of a surface; nothing if it can.
 ///
 /// `extract_mean_curvature_flow_skeleton()` expects a closed mesh of one part without faces that have no area, and does not
@@ -63,7 +63,7 @@ inline std::string skeleton_obstacle(const Triangle_surface& surface)
   return "";
 }
 
-/// \ingroup PkgAreaProjectionTransformFeatures
+/// \ingroup PkgAreaProjectionTransformMedialComparison
 /// points have no skeleton of that kind.
 inline std::string skeleton_obstacle(const Surfels&)
 {
@@ -94,7 +94,7 @@ inline Skeleton_mesh mesh_for_skeleton(const Triangle_surface& surface)
 } // namespace internal
 /// \endcond
 
-/// \ingroup PkgAreaProjectionTransformFeatures
+/// \ingroup PkgAreaProjectionTransformMedialComparison
 /// \brief represents \cgal's skeleton by mean curvature flow (Tagliasacchi et al. 2012), with its defaults.
 ///
 /// The skeleton has no radii; those given are the distances from the surface.
@@ -121,7 +121,7 @@ inline Medial_representation mean_curvature_skeleton(const Triangle_surface& sur
   return result;
 }
 
-/// \ingroup PkgAreaProjectionTransformFeatures
+/// \ingroup PkgAreaProjectionTransformMedialComparison
 /// \throw std::invalid_argument always
 inline Medial_representation mean_curvature_skeleton(const Surfels& points)
 {

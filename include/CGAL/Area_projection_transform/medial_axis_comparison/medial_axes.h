@@ -30,7 +30,7 @@
 namespace CGAL {
 namespace Area_projection {
 
-/// \ingroup PkgAreaProjectionTransformFeatures
+/// \ingroup PkgAreaProjectionTransformMedialComparison
 /// \brief which medial axes are compared, and how they are made comparable.
 struct Medial_axes_options
 {
@@ -47,7 +47,7 @@ struct Medial_axes_options
   bool do_skeleton = true; ///< whether \cgal's skeleton is among them, which takes most of the time
 };
 
-/// \ingroup PkgAreaProjectionTransformFeatures
+/// \ingroup PkgAreaProjectionTransformMedialComparison
 /// \brief medial axes of one surface.
 struct Medial_axes
 {
@@ -189,7 +189,7 @@ inline void check(const Medial_axes_options& options)
 } // namespace internal
 /// \endcond
 
-/// \ingroup PkgAreaProjectionTransformFeatures
+/// \ingroup PkgAreaProjectionTransformMedialComparison
 /// \brief makes the medial axes of a surface that are worth comparing.
 ///
 /// Balls are connected after they grew by `crack_width()`. A surface without extent has no axes.

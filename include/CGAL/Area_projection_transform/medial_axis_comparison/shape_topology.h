@@ -89,7 +89,7 @@ private:
 } // namespace internal
 /// \endcond
 
-/// \ingroup PkgAreaProjectionTransformFeatures
+/// \ingroup PkgAreaProjectionTransformMedialComparison
 /// \brief returns the topology of the solid that a surface bounds.
 ///
 /// A part of the surface whose faces point outward bounds a piece, one whose faces point inward a cavity. Nothing if the
@@ -111,7 +111,7 @@ inline std::optional<Betti_numbers> shape_topology(const Triangle_surface& surfa
   return result;
 }
 
-/// \ingroup PkgAreaProjectionTransformFeatures
+/// \ingroup PkgAreaProjectionTransformMedialComparison
 /// returns nothing: what points bound is unknown.
 inline std::optional<Betti_numbers> shape_topology(const Surfels&)
 {

@@ -10,7 +10,7 @@
 namespace CGAL {
 namespace Area_projection {
 
-/// \ingroup PkgAreaProjectionTransformFeatures
+/// \ingroup PkgAreaProjectionTransformMedialBalls
 /// \brief how a shape is connected: its Betti numbers `b0`, `b1`, `b2`.
 ///
 /// A ball has 1, 0, 0, a solid torus 1, 1, 0, and a ball with a bubble in it 1, 0, 1.

@@ -142,7 +142,7 @@ std::string row_of_table(const Comparison& comparison, std::size_t i)
   char fills[16] = "       -", text[160];
   if(overlap)
     std::snprintf(fills, sizeof fills, "%8.2f", 100 * *overlap);
-  std::snprintf(text, sizeof text, "%-12s%7zu %8.2f %s %6ld %5ld %8.2f %8.2f %8.3f %8.3f %8.2f",
+  std::snprintf(text, sizeof text, "%-13s%7zu %8.2f %s %6ld %5ld %8.2f %8.2f %8.3f %8.3f %8.2f",
                 axis.name.c_str(), axis.size(), 100 * m.coverage, fills, axis.topology->components,
                 axis.topology->loops, 100 * m.radius_error.quantile_95,
                 100 * m.off_centre.quantile_95, percent * comparison.distances[i][0].largest,
@@ -152,7 +152,7 @@ std::string row_of_table(const Comparison& comparison, std::size_t i)
 
 std::vector<std::string> table_of(const Comparison& comparison)
 {
-  std::vector<std::string> lines{"axis          balls   covers    fills pieces loops   radius    "
+  std::vector<std::string> lines{"axis           balls   covers    fills pieces loops   radius    "
                                  "aside    there     back  seconds"};
   for(std::size_t i = 0; i < comparison.axes.axes.size(); ++i)
     lines.push_back(row_of_table(comparison, i));

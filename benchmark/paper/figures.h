@@ -64,6 +64,9 @@ void salient_comparison(const Options& options, Benchmarks::Report& report);
 /// centrelines of tubes whose axes are known, beside CGAL's skeletons.
 void centerline_comparison(const Options& options, Benchmarks::Report& report);
 
+/// medial axes, skeletons and centrelines of meshes, and how they move when the surface changes.
+void medial_comparison(const Options& options, Benchmarks::Report& report);
+
 } // namespace Paper
 
 #endif // AREA_PROJECTION_PAPER_FIGURES_H

@@ -41,7 +41,8 @@ constexpr Figure figures[] = {{"1", Paper::figure_1},
                               {"curves", Paper::robustness_curves},
                               {"ratios", Paper::smoothing_ratios},
                               {"salient", Paper::salient_comparison},
-                              {"lines", Paper::centerline_comparison}};
+                              {"lines", Paper::centerline_comparison},
+                              {"medial", Paper::medial_comparison}};
 
 struct Arguments
 {

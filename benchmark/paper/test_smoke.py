@@ -50,7 +50,7 @@ class Smoke(unittest.TestCase):
         groups = [group["name"] for group in self.data["groups"]]
         self.assertEqual(groups, ["figure 1", "figure 4", "figure 5", "figure 7", "figure 8", "figure 9", "figure 10",
                                   "figure 11", "figure 12", "figure 13", "curves", "ratios", "salient",
-                                  "lines"])
+                                  "lines", "medial"])
         self.assertEqual({row["group"] for row in self.data["rows"]}, set(groups))
         for name in groups:
             self.assertIn(f"\n{name}, ", self.output)
@@ -122,6 +122,20 @@ class Smoke(unittest.TestCase):
         for row in self.rows("figure 12", "B: attached arm", line="arm"):
             self.assertGreater(row["measures"]["found"], 0.7, row)
             self.assertLess(row["measures"]["distance / R"], 0.3, row)
+
+    def test_medial_axes_are_judged(self):
+        names = {row["name"] for row in self.rows("medial", "axes")}
+        self.assertEqual(names, {"unpruned", "mapt", "mapt_refitted", "lambda", "scale_axis",
+                                 "random", "covering", "centerlines", "skeleton"})
+        for row in self.rows("medial", "axes"):
+            self.assertEqual((row["measures"]["pieces"], row["measures"]["loops"]), (1, 0), row)
+        covers = {row["name"]: row["measures"]["covers"]
+                  for row in self.rows("medial", "equal numbers", **{"most balls": 50})}
+        self.assertEqual(max(covers, key=covers.get), "covering")
+        # CGAL's skeleton does not know directions, and centrelines hardly do.
+        for row in self.rows("medial", "stability", change="turned"):
+            if row["name"] in ("centerlines", "skeleton"):
+                self.assertLess(row["measures"]["mean %"], 0.5, row)
 
     def test_lines_survive_the_loss_of_half_of_the_faces(self):
         for row in self.rows("figure 13", "lines found again"):

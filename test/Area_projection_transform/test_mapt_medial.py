@@ -197,8 +197,9 @@ class Comparison(Test):
         points, faces = torus(1, 0.3, 60, 20)
         result = self.comparison(self.write("torus.off", off(points, faces)))
         axes = {axis["name"]: axis for axis in result["representations"]}
-        self.assertEqual(list(axes), ["unpruned", "mapt", "lambda", "scale_axis", "random",
-                                      "covering", "centerlines", "skeleton"])
+        self.assertEqual(list(axes), ["unpruned", "mapt", "mapt_refitted", "lambda",
+                                      "scale_axis", "random", "covering", "centerlines",
+                                      "skeleton"])
         self.assertEqual(result["left_out"], [])
         self.assertEqual(result["shape"]["loops"], 1)
         for name, axis in axes.items():

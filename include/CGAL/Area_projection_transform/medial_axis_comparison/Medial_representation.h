@@ -47,18 +47,21 @@ struct Medial_representation
 /// \brief represents some medial balls, connected as `medial_complex()` connects them.
 /// \param selected positions in `balls`
 /// \param growth of the balls for their connections, see `crack_width()`
+/// \param use_refitted whether balls are where the surface around them comes together
+/// (`Medial_ball::refitted_center`, `Medial_ball::refitted_radius`), which withstands noise, instead of where they touch
 /// \throw std::invalid_argument if `growth` is negative or not finite
 /// \throw std::out_of_range if one of `selected` is
 inline Medial_representation medial_representation(const std::string& name,
                                                    const std::vector<Medial_ball>& balls,
                                                    const std::vector<std::size_t>& selected,
-                                                   double growth = 0)
+                                                   double growth = 0, bool use_refitted = false)
 {
   Medial_representation result;
   result.name = name;
   for(const std::size_t i : selected) {
-    result.centers.push_back(balls.at(i).center);
-    result.radii.push_back(balls[i].radius);
+    const Medial_ball& ball = balls.at(i);
+    result.centers.push_back(use_refitted ? ball.refitted_center : ball.center);
+    result.radii.push_back(use_refitted ? ball.refitted_radius : ball.radius);
   }
   Medial_complex complex = medial_complex(result.centers, result.radii, growth);
   result.edges = std::move(complex.edges);

@@ -51,8 +51,8 @@ struct Medial_axes_options
 /// \brief medial axes of one surface.
 struct Medial_axes
 {
-  /// \brief some of: `unpruned`, all balls; `mapt`, the axis weighted by the transform; `lambda`, `scale_axis`; the
-  /// baselines `random` and `covering` (greedy set cover); `centerlines`; `skeleton`, that of \cgal.
+  /// \brief some of: `unpruned`, all balls; `mapt`, the axis weighted by the transform, and `mapt_refitted`, the same balls
+  /// fitted to the surface around them; `lambda`, `scale_axis`; the baselines `random` and `covering` (greedy set cover); `centerlines`; `skeleton`, that of \cgal.
   std::vector<Medial_representation> axes;
   /// the names of those that could not be made, and why.
   std::vector<std::pair<std::string, std::string>> left_out;
@@ -88,8 +88,10 @@ public:
     std::vector<std::size_t> all(m_balls.size());
     std::iota(all.begin(), all.end(), std::size_t(0));
     add("unpruned", all);
-    add("mapt",
-        selected(m_options.number ? Medial_weight::RADIAL_MAPT : Medial_weight::IMPORTANCE));
+    const std::vector<std::size_t> weighted =
+        selected(m_options.number ? Medial_weight::RADIAL_MAPT : Medial_weight::IMPORTANCE);
+    add("mapt", weighted);
+    add("mapt_refitted", weighted, true);
     add("lambda", selected(Medial_weight::LAMBDA));
     add("scale_axis", selected(Medial_weight::SCALE_AXIS));
     add("random", first_of(select_random(m_balls, m_balls.size(), m_options.seed)));
@@ -136,9 +138,11 @@ private:
     return first_of(std::move(order));
   }
 
-  void add(const std::string& name, const std::vector<std::size_t>& balls)
+  void add(const std::string& name, const std::vector<std::size_t>& balls,
+           bool use_refitted = false)
   {
-    Medial_representation axis = medial_representation(name, m_balls, balls, m_growth);
+    Medial_representation axis =
+        medial_representation(name, m_balls, balls, m_growth, use_refitted);
     axis.seconds = m_seconds_of_balls + seconds();
     m_result.axes.push_back(std::move(axis));
   }

@@ -10,6 +10,7 @@
 #include "cost.h"
 #include "describe_input.h"
 #include "file_elements.h"
+#include "find_lines.h"
 #include "lines_options.h"
 #include "lines_output.h"
 #include "lines_picture.h"
@@ -20,15 +21,10 @@
 #include "threads.h"
 
 #include <CGAL/Area_projection_transform/IO/centerlines_PLY.h>
-#include <CGAL/Area_projection_transform/centerlines.h>
-
-#include <functional>
 
 namespace mapt {
 
 namespace {
-
-using Tag = CGAL::Parallel_if_available_tag;
 
 void write_files(const AP::Centerline_graph& graph, const Surface& surface, const Input& input,
                  const Lines_options& options, Console& console)
@@ -52,23 +48,6 @@ void write_files(const AP::Centerline_graph& graph, const Surface& surface, cons
     write_lines(output, graph);
     json.push_back(output);
   }
-}
-
-/// the lines; shows the progress, and stops on a signal.
-AP::Centerline_graph lines_of(const Surface& surface, const AP::Centerline_options& options,
-                              const Console& console)
-{
-  Progress_line progress(console, "lines");
-  const std::function<bool(double)> callback = [&](double fraction) {
-    progress.show(fraction);
-    return !Signal_watch::is_interrupted();
-  };
-  const auto np = CGAL::parameters::callback(callback);
-  AP::Centerline_graph graph =
-      std::visit([&](const auto* source) { return AP::centerlines<Tag>(*source, options, np); },
-                 surface.source());
-  Signal_watch::check();
-  return graph;
 }
 
 void check_outputs(const Lines_options& options)
@@ -98,7 +77,7 @@ bool run_lines(const std::vector<std::string>& arguments, Console& console)
 
   const auto surface = make_surface(input, Surface_options(), 1);
   const Signal_watch signals;
-  const AP::Centerline_graph graph = lines_of(*surface, options.lines, console);
+  const AP::Centerline_graph graph = find_lines(*surface, options.lines, console);
   const double computing = watch.seconds();
 
   write_files(graph, *surface, input, options, console);

@@ -25,7 +25,7 @@ struct Report_options
   std::string side = "inside";
   std::size_t resolution = 128;      // voxels along the longest side
   std::size_t most_faces = 100000;   // in the page
-  std::vector<std::string> left_out; // some of `parts`
+  std::vector<std::string> left_out; // some of salient, lines, medial, descriptor
   Scale_options scales;
   Common_options common;
 

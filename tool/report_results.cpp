@@ -7,11 +7,10 @@
 #include "report_results.h"
 
 #include "cost.h"
-#include "errors.h"
+#include "find_lines.h"
 #include "progress.h"
 #include "threads.h"
 
-#include <CGAL/Area_projection_transform/centerlines.h>
 #include <CGAL/Area_projection_transform/medial_balls.h>
 #include <CGAL/Area_projection_transform/projection/Grid_projector.h>
 
@@ -65,12 +64,12 @@ Salient_points find_salient(const Surface& surface, const Report_options& option
   return find_points(surface, salient, console);
 }
 
-template <class Source>
-AP::Centerline_graph find_lines(const Source& source, const Report_options& options)
+AP::Centerline_graph find_lines(const Surface& surface, const Report_options& options,
+                                const Console& console)
 {
   AP::Centerline_options lines;
   lines.side = side_of(options);
-  return AP::centerlines<Tag>(source, lines);
+  return find_lines(surface, lines, console);
 }
 
 // A page has room for a few thousand balls, and nobody sees those that almost coincide.
@@ -139,7 +138,6 @@ Report_results compute_report(const Input& input, const Report_options& options,
       make_surface(input, Surface_options(), number_of_threads(options.common.threads));
   Transform_options transform = transform_options(input, options);
   Transform_plan plan = plan_maps(input, *surface, transform, console);
-  const auto source = surface->source();
 
   Steps steps(console, 5 - options.left_out.size());
   std::vector<Side_maps> maps =
@@ -149,12 +147,10 @@ Report_results compute_report(const Input& input, const Report_options& options,
     results.salient =
         steps("salient points", [&] { return find_salient(*surface, options, console); });
   if(options.has("lines"))
-    results.lines = steps("centrelines", [&] {
-      return std::visit([&](const auto* s) { return find_lines(*s, options); }, source);
-    });
+    results.lines = steps("centrelines", [&] { return find_lines(*surface, options, console); });
   if(options.has("medial"))
     results.medial = steps("medial balls", [&] {
-      return std::visit([&](const auto* s) { return find_balls(*s, options); }, source);
+      return std::visit([&](const auto* s) { return find_balls(*s, options); }, surface->source());
     });
   if(options.has("descriptor"))
     steps("descriptor", [&] {

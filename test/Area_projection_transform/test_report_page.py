@@ -57,10 +57,10 @@ class Report_page(unittest.TestCase):
         assert result.returncode == 0, result.stderr
 
     def open(self, state="", **settings):
-        """The page with a state, when its picture is complete."""
+        """The page with a state, when it has drawn its first picture."""
         page = Page(f"{self.file.as_uri()}#{state}", **{"size": SIZE, **settings})
         self.addCleanup(page.__exit__)
-        page.wait_for("document.body?.matches('.refined, .failed')")
+        page.wait_for("document.body?.matches('.ready, .failed')")
         return page
 
     def picture(self, page):
@@ -138,6 +138,11 @@ class Behaviour(Report_page):
         self.assertEqual(float(value("clip1")), 0.5)
         self.assertEqual(float(value("mesh")), 0.5)
         self.assertIn("R = ", page.evaluate("document.querySelector('.bar-title').textContent"))
+
+    def test_stands_an_address_that_makes_no_sense(self):
+        page = self.open("scale=99&zoom=0&top=0&palette=x&pointcolour=__proto__&select=7&view=0,0,0,0&clip=1,0,1,0,1,0&constructor=1")
+        self.assertEqual(page.errors, [])
+        self.assertTrue(page.evaluate("document.body.matches('.ready')"))
 
     def test_slider_changes_map_and_address(self):
         page = self.open(f"{FRONT}&points=0&lines=0")

@@ -24,9 +24,9 @@ export function keysOfPage() {
     element('dt', {}, keys.split(' ').map((key) => [element('kbd', {}, key), ' '])), element('dd', {}, what)]));
 }
 
-// Looks along an axis with the up axis that is left.
-export function axisView(axis, sign = 1) {
-  return lookingAlong(axis, axis === 1 ? 2 : axis === 2 ? 1 : 2, sign);
+// Along an axis, with z upward, or y if that is the axis.
+export function axisView(axis, isFromBehind = false) {
+  return lookingAlong(axis, axis === 2 ? 1 : 2, isFromBehind);
 }
 
 export function listenToKeys(stage, state, content) {
@@ -43,7 +43,7 @@ export function listenToKeys(stage, state, content) {
   };
   const arrow = (right, up) => (event) => (event.shiftKey
     ? stage.view.shift(shift * right, shift * up) : stage.view.turn(turn * right, turn * up));
-  const look = (axis) => (event) => stage.view.lookAlong(axisView(axis, event.shiftKey ? -1 : 1));
+  const look = (axis) => (event) => stage.view.lookAlong(axisView(axis, event.shiftKey));
   const actions = {
     arrowleft: arrow(-1, 0), arrowright: arrow(1, 0), arrowup: arrow(0, 1), arrowdown: arrow(0, -1),
     '+': () => stage.view.zoomBy(1.2), '=': () => stage.view.zoomBy(1.2), '-': () => stage.view.zoomBy(1 / 1.2),

@@ -7,12 +7,19 @@
 // What the page shows: a flat object whose changes are told to whoever watches, and which the fragment of
 // the address holds, so that a picture can be had again.
 
+import { mapPalettes, pointPalettes } from './palettes.js';
+
 const number = {
   parse: (text) => (Number.isFinite(Number(text)) && text !== '' ? Number(text) : undefined),
   format: (value) => String(Number(value.toPrecision(5))),
 };
-const word = { parse: (text) => text, format: (value) => value };
-const flag = { parse: (text) => (text === '1' || text === '0' ? text === '1' : undefined), format: (v) => (v ? '1' : '0') };
+const positive = { ...number, parse: (text) => (Number(text) > 0 ? number.parse(text) : undefined) };
+const matching = (pattern) => ({ parse: (text) => (pattern.test(text) ? text : undefined), format: String });
+const oneOf = (...words) => ({ parse: (text) => (words.includes(text) ? text : undefined), format: String });
+const flag = {
+  parse: (text) => (text === '1' || text === '0' ? text === '1' : undefined),
+  format: (value) => (value ? '1' : '0'),
+};
 const numbers = (length) => ({
   parse: (text) => {
     const values = text.split(',').map(Number);
@@ -24,21 +31,21 @@ const numbers = (length) => ({
 const kinds = {
   view: numbers(4), // a rotation, as a quaternion
   pan: numbers(2),
-  zoom: number,
-  theme: word, // auto, light, dark
+  zoom: positive,
+  theme: oneOf('auto', 'light', 'dark'),
   panel: flag,
-  scale: word, // joint, or the number of a radius, from 0
+  scale: matching(/^(joint|\d{1,3})$/), // or the number of a radius, from 0
   map: number, // opacity
   threshold: number,
-  top: number, // the value that has the last colour
+  top: positive, // the value that has the last colour
   mip: flag,
-  palette: word,
+  palette: oneOf(...mapPalettes),
   mesh: number, // opacity
   points: flag,
   pointsize: number, // of the radius
   pointmin: number, // intensity
-  pointcolour: word,
-  pointpalette: word,
+  pointcolour: oneOf('sphericity', 'intensity', 'radius', 'observed_fraction'),
+  pointpalette: oneOf(...pointPalettes),
   select: number, // the number of a salient point, or -1
   lines: flag,
   linesize: number,
@@ -100,7 +107,7 @@ export class State {
     const given = new URLSearchParams(location.hash.slice(1));
     const values = { ...this.#defaults };
     for (const [key, text] of given) {
-      const value = kinds[key]?.parse(text);
+      const value = Object.hasOwn(kinds, key) ? kinds[key].parse(text) : undefined;
       if (value !== undefined) values[key] = value;
     }
     this.set(values);

@@ -121,13 +121,12 @@ export class View {
   }
 }
 
-// Rotations that look along an axis: the names are those of the axes that point to the viewer and up.
-export function lookingAlong(axis, up, sign = 1) {
-  const towards = new Vector3().setComponent(axis, sign);
+// The rotation that looks against an axis, from its end towards its origin; against y from the other end, so that x
+// runs to the right.
+export function lookingAlong(axis, up, isFromBehind = false) {
+  const towards = new Vector3().setComponent(axis, (axis === 1) === isFromBehind ? 1 : -1);
   const upward = new Vector3().setComponent(up, 1);
-  const right = upward.clone().cross(towards);
-  const m = [right, upward, towards];
-  return quaternionOf(m);
+  return quaternionOf([upward.clone().cross(towards), upward, towards]);
 }
 
 // The rotation whose columns are three axes.

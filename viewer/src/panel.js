@@ -24,7 +24,7 @@ export function buildPanel(stage, state, content, lengths) {
     header(report),
     mapSection(controls, content, lengths),
     section('Surface', {},
-      controls.slider('opacity', 'mesh', { min: 0, max: 1, step: 0.01, text: percent }),
+      controls.slider(content.cloud ? 'points' : 'opacity', 'mesh', { min: 0, max: 1, step: 0.01, text: percent }),
       content.holes ? controls.toggle(`edges of holes (${count(report.input.boundary_edges)})`, 'holes') : null,
       report.surface.joined_within > 0 ? element('p', {}, `Drawn with ${count(report.surface.triangles.number / 3)} of ${count(report.input.triangles)} faces; results are of all of them.`) : null),
     content.salient ? pointSection(controls, stage, content) : missing('Salient points', report.salient),

@@ -45,7 +45,6 @@ export class Stage {
     this.picture = new Picture(this.canvas, this.view, content.volume, content.surface);
     for (const part of [content.cloud, content.holes, content.lines, content.medial, content.salient])
       if (part) this.picture.opaque.add(part.object);
-    if (content.cloud) content.cloud.uniforms.least.value = 0.006;
     state.watch((changed) => this.#follow(changed));
     this.#follow(null);
     this.dark.addEventListener('change', () => this.#follow(new Set(['theme'])));
@@ -74,7 +73,7 @@ export class Stage {
     if (has('theme')) this.#followTheme();
     if (has('scale')) this.content.volume.show(this.content.maps.get(this.state.get('scale')));
     if (has('scale', 'map', 'threshold', 'top', 'mip', 'palette')) this.#followMap(has('palette'));
-    if (has('mesh')) this.content.surface?.setOpacity(this.state.get('mesh'));
+    if (has('mesh')) this.#followSurface();
     if (has('clip')) this.#followClip();
     if (has('points', 'pointsize', 'pointmin', 'pointcolour', 'pointpalette')) this.#followPoints();
     if (has('lines', 'linesize')) this.#followLines();
@@ -109,6 +108,16 @@ export class Stage {
     const map = this.content.maps.get(this.state.get('scale'));
     const name = map.radius === undefined ? 'MAPT, joint map' : `MAPT, R = ${this.lengths(map.radius)}`;
     return this.state.get('mip') ? `${name}\nlargest along the ray` : name;
+  }
+
+  // Points are the smaller, the less a surface would be seen.
+  #followSurface() {
+    const { surface, cloud } = this.content;
+    const opacity = this.state.get('mesh');
+    surface?.setOpacity(opacity);
+    if (!cloud) return;
+    cloud.object.visible = opacity > 0;
+    cloud.uniforms.least.value = 0.035 * opacity;
   }
 
   #followClip() {

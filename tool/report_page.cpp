@@ -172,7 +172,7 @@ std::string without_folder(const std::string& warning, const Input& input)
 }
 
 Json page_json(const Input& input, const Shown_mesh& mesh, const Report_results& results,
-               const Json& report, Page_arrays& arrays)
+               const Report_options& options, const Json& report, Page_arrays& arrays)
 {
   Json json = report;
   json["name"] = name_of(input);
@@ -185,8 +185,7 @@ Json page_json(const Input& input, const Shown_mesh& mesh, const Report_results&
   json["salient"] = results.salient ? salient_json(*results.salient) : Json();
   json["lines"] = results.lines ? lines_json(*results.lines, arrays) : Json();
   json["medial"] = results.medial ? medial_json(*results.medial, arrays) : Json();
-  json["descriptor"] =
-      results.seconds.back().first == "descriptor" ? descriptor_json(results) : Json();
+  json["descriptor"] = options.has("descriptor") ? descriptor_json(results) : Json();
   json["lattice"] = arrays.lattice();
   return json;
 }
@@ -234,7 +233,7 @@ Page_summary write_page(const Input& input, const Report_results& results,
 {
   const Shown_mesh mesh = shown_mesh(input, options.most_faces);
   Page_arrays arrays(input.report.bounding_box);
-  const std::string json = for_script(page_json(input, mesh, results, report, arrays));
+  const std::string json = for_script(page_json(input, mesh, results, options, report, arrays));
   Page_summary summary;
   summary.faces = mesh.triangles.size();
   AP::IO::internal::Atomic_file file(options.output);

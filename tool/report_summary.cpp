@@ -12,6 +12,7 @@
 #include <CGAL/Area_projection_transform/IO/salient_points_CSV.h>
 
 #include <algorithm>
+#include <cmath>
 #include <cstdio>
 
 namespace mapt {
@@ -148,7 +149,8 @@ void report_results(const Report_results& results, const Report_options& options
 {
   std::string times;
   for(const auto& [name, seconds] : results.seconds)
-    times += (times.empty() ? "" : ", ") + name + " " + to_text(seconds, 2) + " s";
+    times += (times.empty() ? "" : ", ") + name + " " +
+             to_text(std::round(1000 * seconds) / 1000, 2) + " s";
   console.row("steps", times);
   report_maps(results, console);
   if(results.lines)

@@ -31,8 +31,8 @@ namespace Area_projection {
 struct Medial_complex
 {
   std::vector<std::uint32_t> vertices; ///< the balls that are not within the union of others
-  std::vector<std::array<std::uint32_t, 2>> edges; ///< those of the triangles included
-  std::vector<std::array<std::uint32_t, 3>> triangles;
+  std::vector<std::array<std::uint32_t, 2>> edges;     ///< those of the triangles included
+  std::vector<std::array<std::uint32_t, 3>> triangles; ///< the sheets
   Betti_numbers topology; ///< of the union of the balls, and of the complex
 };
 
@@ -77,7 +77,9 @@ inline Medial_complex medial_complex(const std::vector<Point_3>& centers,
 
 /// \ingroup PkgAreaProjectionTransformMedialBalls
 /// \brief returns how some medial balls are connected.
+/// \param balls all of them
 /// \param selected positions in `balls`, which the indices of the result are, too
+/// \param growth is added to each radius, in the units of the surface; not negative
 /// \throw std::invalid_argument if one of `selected` is out of range, or `growth` negative or not finite
 inline Medial_complex medial_complex(const std::vector<Medial_ball>& balls,
                                      const std::vector<std::size_t>& selected, double growth = 0)

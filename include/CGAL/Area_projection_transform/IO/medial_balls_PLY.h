@@ -82,7 +82,10 @@ inline std::vector<PLY_element> medial_balls_PLY(const std::vector<Medial_ball>&
 /// \ingroup PkgAreaProjectionTransformIO
 /// \brief the same, and how the balls are connected: elements `face` with `vertex_indices`, and `edge` with `vertex1` and
 /// `vertex2`.
+/// \param balls all of them
+/// \param kept positions in `balls` of those that were selected
 /// \param complex that of the selected balls
+/// \param only_kept whether the others are left out
 /// \throw std::invalid_argument also if the complex has a ball that is left out
 inline std::vector<PLY_element> medial_balls_PLY(const std::vector<Medial_ball>& balls,
                                                  const std::vector<std::size_t>& kept,

@@ -77,6 +77,10 @@ public:
     internal::check_positive(tolerance, "tolerance");
   }
 
+  /// \brief measures an axis.
+  /// \tparam ConcurrencyTag `CGAL::Sequential_tag`, `CGAL::Parallel_tag` or
+  /// `CGAL::Parallel_if_available_tag`; the result does not depend on it, to the last bit
+  /// \param axis in the units of the surface
   template <class ConcurrencyTag = CGAL::Sequential_tag>
   Medial_measures measure(const Medial_representation& axis) const
   {

@@ -32,19 +32,22 @@ namespace Area_projection {
 /// Whatever can be written down like that can be compared. Lengths are in the units of the surface.
 struct Medial_representation
 {
-  std::string name;
-  std::vector<Point_3> centers;
+  std::string name;                                    ///< of it in tables
+  std::vector<Point_3> centers;                        ///< of the balls
   std::vector<double> radii;                           ///< one for each centre
   std::vector<std::array<std::uint32_t, 2>> edges;     ///< positions in `centers`; none if unknown
   std::vector<std::array<std::uint32_t, 3>> triangles; ///< positions in `centers`; none of lines
   std::optional<Betti_numbers> topology;               ///< nothing if the connections are unknown
   double seconds = 0; ///< what it took to find it, from the surface on
 
+  /// the number of balls.
   std::size_t size() const { return centers.size(); }
 };
 
 /// \ingroup PkgAreaProjectionTransformMedialComparison
 /// \brief represents some medial balls, connected as `medial_complex()` connects them.
+/// \param name of the result
+/// \param balls all of them
 /// \param selected positions in `balls`
 /// \param growth of the balls for their connections, see `crack_width()`
 /// \param use_refitted whether balls are where the surface around them comes together
@@ -74,7 +77,9 @@ inline Medial_representation medial_representation(const std::string& name,
 /// \brief represents a curve skeleton: a graph with the places of its vertices in `graph[v].point`, as those of
 /// \cgal and of `centerlines()` have them.
 /// \tparam Graph a model of `VertexListGraph` and `EdgeListGraph` whose vertices are numbers from 0 on
-/// \param radius_of tells the radius at a vertex
+/// \param name of the result
+/// \param graph the skeleton
+/// \param radius_of tells the radius at a vertex, in the units of its places
 template <class Graph, class RadiusOfVertex>
 Medial_representation skeleton_representation(const std::string& name, const Graph& graph,
                                               const RadiusOfVertex& radius_of)

@@ -87,10 +87,13 @@ private:
 template <class Source>
 class Surface_distance;
 
+/// \ingroup PkgAreaProjectionTransformMedialComparison
+/// \brief distances from the triangles of a surface, by an AABB tree.
 template <>
 class Surface_distance<Triangle_surface>
 {
 public:
+  /// \param surface must stay where it is; its triangles are sorted into a tree, in `O(n log n)`
   explicit Surface_distance(const Triangle_surface& surface)
   {
     for(std::size_t t = 0; t < surface.size(); ++t)
@@ -100,7 +103,7 @@ public:
       m_tree.accelerate_distance_queries();
   }
 
-  /// infinite if the surface is empty.
+  /// the distance of a place, in the units of the surface; infinite if that is empty.
   double operator()(const Point_3& place) const
   {
     return m_tree.empty() ? std::numeric_limits<double>::infinity()
@@ -111,12 +114,16 @@ private:
   CGAL::AABB_tree<internal::Aabb_traits<Kernel, internal::Triangle_primitive>> m_tree;
 };
 
+/// \ingroup PkgAreaProjectionTransformMedialComparison
+/// \brief distances from the nearest of some points, by a k-d tree.
 template <>
 class Surface_distance<Surfels>
 {
 public:
+  /// \param points are copied into a tree, in `O(n log n)`
   explicit Surface_distance(const Surfels& points) : m_nearest(points.positions) {}
 
+  /// the distance of a place, in the units of the points; infinite if there are none.
   double operator()(const Point_3& place) const { return m_nearest(place); }
 
 private:

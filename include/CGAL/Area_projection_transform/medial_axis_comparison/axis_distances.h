@@ -28,9 +28,13 @@ namespace Area_projection {
 /// \brief what is told of many numbers: all are NaN if there are none.
 struct Spread_of_values
 {
+  /// what stands for a number that is not known.
   static constexpr double unknown = std::numeric_limits<double>::quiet_NaN();
 
-  double mean = unknown, median = unknown, quantile_95 = unknown, largest = unknown;
+  double mean = unknown;        ///< in the units of the numbers, as the others
+  double median = unknown;      ///< half of the numbers are smaller
+  double quantile_95 = unknown; ///< 95 % of the numbers are smaller
+  double largest = unknown;     ///< of all
 };
 
 /// \ingroup PkgAreaProjectionTransformMedialComparison

@@ -28,10 +28,11 @@ namespace CGAL {
 namespace Area_projection {
 
 /// \ingroup PkgAreaProjectionTransformMedialComparison
-/// a volume, and the standard error of its estimate.
+/// \brief a volume, and the standard error of its estimate.
 struct Estimated_volume
 {
-  double value = 0, error = 0;
+  double value = 0; ///< in cubed units of the surface
+  double error = 0; ///< one standard deviation, in the same
 };
 
 /// \ingroup PkgAreaProjectionTransformMedialComparison
@@ -269,8 +270,13 @@ Ball_volume ball_volume(const Medial_representation& axis, const Triangle_surfac
 /// Lines parallel to the `z` axis are cut exactly; two of them, by chance, go through each of `rows` × `rows` cells, and the
 /// difference between the two tells the error. With 64 rows it is about a thousandth of the volume.
 ///
+/// \tparam ConcurrencyTag `CGAL::Sequential_tag`, `CGAL::Parallel_tag` or
+/// `CGAL::Parallel_if_available_tag`; the result does not depend on it, to the last bit
+/// \param axis the balls
 /// \param surface if it is not closed, only the balls are measured
 /// \param seed another seed, other lines; the same on every platform
+/// \param rows of cells along each of two axes, positive
+///
 /// Complexity: `rows²` times the number of balls and triangles that a line of a row can meet
 template <class ConcurrencyTag = CGAL::Sequential_tag>
 Ball_volume ball_volume(const Medial_representation& axis, const Triangle_surface& surface,

@@ -34,8 +34,8 @@ namespace Area_projection {
 /// \brief which medial axes are compared, and how they are made comparable.
 struct Medial_axes_options
 {
-  Medial_ball_options balls;
-  Centerline_options lines;
+  Medial_ball_options balls; ///< of all axes that are selections of balls
+  Centerline_options lines;  ///< of the centrelines
   /// \brief each selection of balls has so many as are needed to cover that part of the surface, in [0, 1]: pruned by a
   /// threshold, without gaps …
   double coverage = 0.9;

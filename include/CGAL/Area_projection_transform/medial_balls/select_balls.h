@@ -242,6 +242,7 @@ std::vector<std::size_t> select_covering(const std::vector<Medial_ball>& balls,
 /// \ingroup PkgAreaProjectionTransformMedialBalls
 /// \brief returns the first ones of an order of balls that cover a part of the surface, or all if they do not.
 /// \tparam Source `Triangle_surface` or `Surfels`
+/// \param balls all of them
 /// \param order positions in `balls`
 /// \param surface that of the balls
 /// \param tolerance the surface is covered up to that distance from a ball, in its units, positive

@@ -16,6 +16,7 @@
 #include <algorithm>
 #include <cmath>
 #include <functional>
+#include <map>
 #include <string>
 #include <vector>
 
@@ -110,7 +111,7 @@ struct Change
   std::function<Point_3(const Point_3&)> undo = [](const Point_3& p) { return p; };
 };
 
-std::vector<Change> changes()
+std::vector<Change> changes(const Options& options)
 {
   // Displaced within balls of that many edges, about.
   const auto noisy = [](double amount) {
@@ -118,7 +119,7 @@ std::vector<Change> changes()
       return add_noise(soup, amount / std::sqrt(5.), seed);
     };
   };
-  return {
+  std::vector<Change> all{
       {"noise 0.1", 45, noisy(0.1)},
       {"noise 0.3", 45, noisy(0.3)},
       {"half of the faces", 20,
@@ -134,20 +135,28 @@ std::vector<Change> changes()
          return soup;
        },
        [](const Point_3& p) { return turned(p, true); }}};
+  if(options.is_quick)
+    all.erase(all.begin(), all.end() - 1);
+  return all;
+}
+
+AP::Medial_axes axes_of(const Soup& soup, double stop_angle, double tolerance,
+                        const Options& options)
+{
+  AP::Medial_axes_options choices;
+  choices.balls.stop_angle = stop_angle;
+  choices.seed = options.seed;
+  choices.tolerance = tolerance;
+  return AP::medial_axes<Tag>(surface_of(soup), choices);
 }
 
 /// how far axes move when the surface changes, each pruned to the same coverage before and after.
-void compare_stability(const Mesh& mesh, const Change& change, const Options& options,
-                       Benchmarks::Report& report)
+void compare_stability(const Mesh& mesh, const Change& change, const AP::Medial_axes& before,
+                       const Options& options, Benchmarks::Report& report)
 {
-  const Soup changed = change.apply(mesh.soup, options.seed);
-  AP::Medial_axes_options choices;
-  choices.balls.stop_angle = change.stop_angle;
-  choices.seed = options.seed;
   const double diagonal = diagonal_of(mesh.soup);
-  choices.tolerance = 0.005 * diagonal;
-  const AP::Medial_axes before = AP::medial_axes<Tag>(surface_of(mesh.soup), choices);
-  AP::Medial_axes after = AP::medial_axes<Tag>(surface_of(changed), choices);
+  AP::Medial_axes after =
+      axes_of(change.apply(mesh.soup, options.seed), change.stop_angle, before.tolerance, options);
   std::vector<Row> rows;
   for(Medial_representation& axis : after.axes) {
     const auto same = std::find_if(before.axes.begin(), before.axes.end(),
@@ -190,8 +199,13 @@ void medial_comparison(const Options& options, Benchmarks::Report& report)
   for(const Mesh& mesh : meshes) {
     compare_axes(mesh, options, report);
     compare_selections(mesh, options, report);
-    for(const Change& change : changes())
-      compare_stability(mesh, change, options, report);
+    std::map<double, AP::Medial_axes> before; // by the stop angle
+    for(const Change& change : changes(options)) {
+      AP::Medial_axes& axes = before[change.stop_angle];
+      if(axes.axes.empty())
+        axes = axes_of(mesh.soup, change.stop_angle, 0.005 * diagonal_of(mesh.soup), options);
+      compare_stability(mesh, change, axes, options, report);
+    }
   }
 }
 

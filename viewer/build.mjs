@@ -36,9 +36,10 @@ async function bundle(entry, settings) {
 
 const script = inScript(await bundle('src/main.js', { format: 'esm' }));
 const style = await bundle('viewer.css', {});
-const three = JSON.parse(readFileSync(join(folder, 'node_modules/three/package.json'), 'utf8'));
+const ofThree = (name) => readFileSync(join(folder, 'node_modules/three', name), 'utf8').trim();
 const parts = {
-  LICENCES: `version ${three.version}, copyright 2010-2026 three.js authors, https://threejs.org/license`,
+  THREE_VERSION: JSON.parse(ofThree('package.json')).version,
+  THREE_LICENCE: ofThree('LICENSE'), // which asks to be part of each copy
   SCRIPT_HASH: policyHash(script),
   STYLE_HASH: policyHash(style),
   SOURCES_HASH: hashOfSources(),
@@ -46,7 +47,7 @@ const parts = {
   SCRIPT: script,
 };
 const page = readFileSync(join(folder, 'template.html'), 'utf8')
-  .replace(/@(LICENCES|SCRIPT_HASH|STYLE_HASH|SOURCES_HASH|STYLE|SCRIPT)@/g, (_, name) => parts[name]);
+  .replace(/@(THREE_VERSION|THREE_LICENCE|SCRIPT_HASH|STYLE_HASH|SOURCES_HASH|STYLE|SCRIPT)@/g, (_, name) => parts[name]);
 mkdirSync(dirname(output), { recursive: true });
 writeFileSync(output, page);
 console.log(`${output}: ${Math.round(page.length / 1000)} kB`);

@@ -46,6 +46,13 @@ class Viewer_page(unittest.TestCase):
             subprocess.run(["node", "build.mjs", built], cwd=copy, check=True, stdout=subprocess.DEVNULL)
             self.assertTrue(built.read_bytes() == PAGE.read_bytes(), "the page differs: run scripts/build-viewer")
 
+    def test_holds_the_licence_of_three(self):
+        text = PAGE.read_text(encoding="utf-8")
+        self.assertRegex(text, "<!-- three.js [0-9.]+, which the script holds:\n\nThe MIT License\n\nCopyright © ")
+        self.assertIn("The above copyright notice and this permission notice shall be included", text)
+        # Browsers look for the encoding no further.
+        self.assertIn(b'<meta charset="utf-8">', PAGE.read_bytes()[:1024])
+
     def test_needs_three_and_esbuild_only(self):
         package = json.loads((VIEWER / "package.json").read_text(encoding="utf-8"))
         self.assertEqual(set(package["devDependencies"]), {"three", "esbuild"})

@@ -140,7 +140,7 @@ class Behaviour(Report_page):
         self.assertIn("R = ", page.evaluate("document.querySelector('.bar-title').textContent"))
 
     def test_stands_an_address_that_makes_no_sense(self):
-        page = self.open("scale=99&zoom=0&top=0&palette=x&pointcolour=__proto__&select=7&view=0,0,0,0&clip=1,0,1,0,1,0&constructor=1")
+        page = self.open("scale=99&zoom=0&top=0&palette=x&pointcolour=__proto__&select=7&view=0,0,0,0&clip=1,0,1,0,1,0&constructor=1&select=0.5&map=9&mesh=-1")
         self.assertEqual(page.errors, [])
         self.assertTrue(page.evaluate("document.body.matches('.ready')"))
 

@@ -14,7 +14,6 @@ import { MapHistogram, descriptorPlot } from './plots.js';
 import { PointTable, pairs, timings } from './tables.js';
 import { keysOfPage } from './keys.js';
 
-const tenth = (value) => fixed(value, 2);
 const plural = (number, one, many = `${one}s`) => `${count(number)} ${number === 1 ? one : many}`;
 
 export function buildPanel(stage, state, content, lengths) {
@@ -101,8 +100,8 @@ function pointSection(controls, stage, { report }) {
   update(null);
   const largest = Math.max(...report.salient.map(({ intensity }) => intensity));
   return section('Salient points', { toggle: controls.toggle(count(report.salient.length), 'points') },
-    controls.slider('size', 'pointsize', { min: 0, max: 1, step: 0.05, text: (v) => `${tenth(v)} R` }),
-    controls.slider('MAPT from', 'pointmin', { min: 0, max: largest, step: 0.01, text: tenth }),
+    controls.slider('size', 'pointsize', { min: 0, max: 1, step: 0.05, text: (v) => `${fixed(v)} R` }),
+    controls.slider('MAPT from', 'pointmin', { min: 0, max: largest, step: 0.01, text: fixed }),
     controls.select('colour', 'pointcolour', [['sphericity', 'sphericity'], ['intensity', 'MAPT (intensity)'], ['radius', 'radius'], ['observed_fraction', 'part that is seen']]),
     controls.select('palette', 'pointpalette', pointPalettes.map((name) => [name, name === 'blue-red' ? 'blue to red (paper)' : 'blue to orange'])),
     element('div', { class: 'key-bar' }, low, strip, high),
@@ -112,14 +111,14 @@ function pointSection(controls, stage, { report }) {
 function lineSection(controls, { lines }, lengths) {
   const length = lines.branches.reduce((sum, branch) => sum + branch.length, 0);
   return section('Centrelines', { toggle: controls.toggle(count(lines.branches.length), 'lines') },
-    controls.slider('thickness', 'linesize', { min: 0, max: 1, step: 0.02, text: (v) => (v === 0 ? 'thin' : `${tenth(v)} R`) }),
+    controls.slider('thickness', 'linesize', { min: 0, max: 1, step: 0.02, text: (v) => (v === 0 ? 'thin' : `${fixed(v)} R`) }),
     element('p', {}, `${plural(lines.branches.length, 'branch', 'branches')}, ${significant(length)} long together; mean radii from ${lengths(Math.min(...lines.branches.map((b) => b.mean_radius)))} to ${lengths(Math.max(...lines.branches.map((b) => b.mean_radius)))}.`));
 }
 
 function ballSection(controls, { report, medial }, lengths) {
   const most = Math.max(...medial.importance);
   return section('Medial balls', { toggle: controls.toggle(count(medial.number), 'balls'), isOpen: false },
-    controls.slider('size', 'ballsize', { min: 0, max: 1, step: 0.01, text: (v) => `${tenth(v)} R` }),
+    controls.slider('size', 'ballsize', { min: 0, max: 1, step: 0.01, text: (v) => `${fixed(v)} R` }),
     controls.slider('importance', 'ballmin', { min: 0, max: most, step: most / 200, text: (v) => (v === 0 ? 'all' : `≥ ${lengths(v)}`) }),
     element('p', {}, `The ${count(medial.number)} most important ones of ${count(report.medial.found)} that are not next to each other. Their colours are those of the map.`));
 }

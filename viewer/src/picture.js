@@ -64,6 +64,7 @@ export class Picture {
     this.targets = null;
     this.part = 0.5; // of the pixels along a side, while moving
     this.passes = 0; // since the last change
+    this.spent = 0; // seconds, on these
     this.isRequested = false;
     this.timer = 0;
     this.onPass = () => {};

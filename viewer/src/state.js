@@ -14,6 +14,8 @@ const number = {
   format: (value) => String(Number(value.toPrecision(5))),
 };
 const positive = { ...number, parse: (text) => (Number(text) > 0 ? number.parse(text) : undefined) };
+const part = { ...number, parse: (text) => (Number(text) >= 0 && Number(text) <= 1 ? number.parse(text) : undefined) };
+const whole = { parse: (text) => (/^-?\d{1,9}$/.test(text) ? Number(text) : undefined), format: String };
 const matching = (pattern) => ({ parse: (text) => (pattern.test(text) ? text : undefined), format: String });
 const oneOf = (...words) => ({ parse: (text) => (words.includes(text) ? text : undefined), format: String });
 const flag = {
@@ -35,18 +37,18 @@ const kinds = {
   theme: oneOf('auto', 'light', 'dark'),
   panel: flag,
   scale: matching(/^(joint|\d{1,3})$/), // or the number of a radius, from 0
-  map: number, // opacity
+  map: part, // opacity
   threshold: number,
   top: positive, // the value that has the last colour
   mip: flag,
   palette: oneOf(...mapPalettes),
-  mesh: number, // opacity
+  mesh: part, // opacity
   points: flag,
   pointsize: number, // of the radius
   pointmin: number, // intensity
   pointcolour: oneOf('sphericity', 'intensity', 'radius', 'observed_fraction'),
   pointpalette: oneOf(...pointPalettes),
-  select: number, // the number of a salient point, or -1
+  select: whole, // the number of a salient point, or -1
   lines: flag,
   linesize: number,
   balls: flag,

@@ -15,20 +15,16 @@
 #define MAPT_SYMBOL(name) name
 #endif
 
-__asm__(
-    MAPT_READ_ONLY_DATA
-    "\n"
-    ".global " MAPT_SYMBOL(
-        "mapt_viewer_page_begin") "\n"
-                                  ".global " MAPT_SYMBOL("mapt_viewer_page_end") "\n" MAPT_SYMBOL(
-                                      "mapt_viewer_page_begin") ":\n"
-                                                                ".incbin \"" MAPT_VIEWER_PAGE
-                                                                "\"\n" MAPT_SYMBOL(
-                                                                    "mapt_viewer_page_end") ":\n"
-                                                                                            ".byte "
-                                                                                            "0\n"
-                                                                                            ".text"
-                                                                                            "\n");
+// clang-format off
+__asm__(MAPT_READ_ONLY_DATA "\n"
+        ".global " MAPT_SYMBOL("mapt_viewer_page_begin") "\n"
+        ".global " MAPT_SYMBOL("mapt_viewer_page_end") "\n"
+        MAPT_SYMBOL("mapt_viewer_page_begin") ":\n"
+        ".incbin \"" MAPT_VIEWER_PAGE "\"\n"
+        MAPT_SYMBOL("mapt_viewer_page_end") ":\n"
+        ".byte 0\n"
+        ".text\n");
+// clang-format on
 
 extern "C" const char mapt_viewer_page_begin[];
 extern "C" const char mapt_viewer_page_end[];

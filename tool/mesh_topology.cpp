@@ -6,6 +6,8 @@
 
 #include "mesh_topology.h"
 
+#include <CGAL/Area_projection_transform/internal/Disjoint_sets.h>
+
 #include <algorithm>
 #include <cmath>
 #include <numeric>
@@ -17,30 +19,7 @@ namespace {
 
 constexpr std::uint32_t none = 0xffffffffu;
 
-class Union_find
-{
-public:
-  explicit Union_find(std::size_t n) : m_parent(n)
-  {
-    std::iota(m_parent.begin(), m_parent.end(), 0u);
-  }
-
-  std::uint32_t root(std::uint32_t i)
-  {
-    while(m_parent[i] != i)
-      i = m_parent[i] = m_parent[m_parent[i]];
-    return i;
-  }
-  void join(std::uint32_t i, std::uint32_t j)
-  {
-    i = root(i);
-    j = root(j);
-    m_parent[std::max(i, j)] = std::min(i, j); // roots are the smallest of their set
-  }
-
-private:
-  std::vector<std::uint32_t> m_parent;
-};
+using CGAL::Area_projection::internal::Disjoint_sets;
 
 // One side of a triangle, filed under its vertex of smaller index.
 struct Side
@@ -114,18 +93,18 @@ struct Boundary_edge
 std::size_t close_holes(const std::vector<Point_3>& points, const Point_3& origin,
                         const std::vector<Boundary_edge>& edges, Mesh_topology& topology)
 {
-  Union_find holes(points.size());
+  Disjoint_sets holes(points.size());
   for(const Boundary_edge& e : edges)
-    holes.join(e.from, e.to);
+    holes.unite(e.from, e.to);
   std::vector<Vector_3> sum(points.size(), Vector_3(0, 0, 0));
   std::vector<double> count(points.size(), 0);
   for(const Boundary_edge& e : edges) {
-    const std::uint32_t hole = holes.root(e.from);
+    const std::size_t hole = holes.find(e.from);
     sum[hole] = sum[hole] + (points[e.from] - origin) + (points[e.to] - origin);
     count[hole] += 2;
   }
   for(const Boundary_edge& e : edges) {
-    const std::uint32_t hole = holes.root(e.from);
+    const std::size_t hole = holes.find(e.from);
     Mesh_topology::Component& component = topology.components[topology.component[e.triangle]];
     const Vector_3 a = points[e.to] - origin, b = points[e.from] - origin;
     const Vector_3 centre = sum[hole] / count[hole];
@@ -139,14 +118,14 @@ std::size_t close_holes(const std::vector<Point_3>& points, const Point_3& origi
 void find_components(const std::vector<Triangle>& triangles, const Sides& sides,
                      Mesh_topology& topology)
 {
-  Union_find pieces(triangles.size());
+  Disjoint_sets pieces(triangles.size());
   sides.for_each_edge([&](std::uint32_t, const Side* first, const Side* last) {
     for(const Side* side = first + 1; side < last; ++side)
-      pieces.join(first->triangle, side->triangle);
+      pieces.unite(first->triangle, side->triangle);
   });
   topology.component.assign(triangles.size(), none);
   for(std::uint32_t t = 0; t < triangles.size(); ++t) {
-    const std::uint32_t root = pieces.root(t);
+    const std::size_t root = pieces.find(t); // the smallest of its set
     if(root == t) {
       topology.component[t] = std::uint32_t(topology.components.size());
       topology.components.emplace_back();

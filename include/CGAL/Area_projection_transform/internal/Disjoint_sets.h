@@ -25,6 +25,7 @@ public:
     std::iota(m_parent.begin(), m_parent.end(), std::size_t(0));
   }
 
+  /// the smallest member of the set of a thing.
   std::size_t find(std::size_t i)
   {
     while(m_parent[i] != i)

@@ -9,9 +9,9 @@
 #include "file_elements.h"
 #include "page_arrays.h"
 #include "report_template.h"
+#include "salient_report.h"
 #include "shown_mesh.h"
 
-#include <CGAL/Area_projection_transform/IO/salient_points_CSV.h>
 #include <CGAL/Area_projection_transform/internal/atomic_file.h>
 
 #include <algorithm>
@@ -92,18 +92,6 @@ Json maps_json(const Report_results& results, Page_arrays& arrays)
   return json;
 }
 
-Json salient_json(const Salient_points& found)
-{
-  Json points = Json::array();
-  for(std::size_t i = 0; i < found.points.size(); ++i) {
-    Json point;
-    AP::IO::for_each_column(found.points[i], found.sides[i],
-                            [&point](const char* name, const auto& value) { point[name] = value; });
-    points.push_back(point);
-  }
-  return points;
-}
-
 Json lines_json(const AP::Centerline_graph& graph, Page_arrays& arrays)
 {
   std::vector<AP::Point_3> points;
@@ -182,7 +170,7 @@ Json page_json(const Input& input, const Shown_mesh& mesh, const Report_results&
   json["is_point_set"] = input.is_point_set;
   json["surface"] = surface_json(mesh, input, arrays);
   json["maps"] = maps_json(results, arrays);
-  json["salient"] = results.salient ? salient_json(*results.salient) : Json();
+  json["salient"] = results.salient ? to_json(*results.salient) : Json();
   json["lines"] = results.lines ? lines_json(*results.lines, arrays) : Json();
   json["medial"] = results.medial ? medial_json(*results.medial, arrays) : Json();
   json["descriptor"] = options.has("descriptor") ? descriptor_json(results) : Json();

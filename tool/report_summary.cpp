@@ -7,6 +7,7 @@
 #include "report_summary.h"
 
 #include "local_maxima.h"
+#include "salient_report.h"
 #include "text.h"
 
 #include <CGAL/Area_projection_transform/IO/salient_points_CSV.h>
@@ -85,13 +86,7 @@ void report_descriptor(const Report_results& results, Console& console)
 
 void report_salient(const Salient_points& found, Console& console)
 {
-  Json& json = console.report["salient"] = Json::array();
-  for(std::size_t i = 0; i < found.points.size(); ++i) {
-    Json point;
-    AP::IO::for_each_column(found.points[i], found.sides[i],
-                            [&point](const char* name, const auto& value) { point[name] = value; });
-    json.push_back(point);
-  }
+  console.report["salient"] = to_json(found);
   const std::size_t shown = std::min(found.points.size(), longest_table);
   console.row("salient",
               counted(found.points.size(), "point", "points") +

@@ -14,6 +14,7 @@
 #include <algorithm>
 #include <cmath>
 #include <cstdio>
+#include <utility>
 
 namespace mapt {
 
@@ -27,15 +28,6 @@ constexpr std::size_t longest_table = 20;
 Json or_null(const std::optional<double>& value)
 {
   return value ? Json(*value) : Json();
-}
-
-Json to_json(const AP::Salient_point& point, AP::Side side)
-{
-  Json json;
-  // A number that is unknown becomes null.
-  AP::IO::for_each_column(point, side,
-                          [&json](const char* name, const auto& value) { json[name] = value; });
-  return json;
 }
 
 Json counts_of(const Salient_points& found)
@@ -115,6 +107,18 @@ void show_strongest(const Salient_points& found, const Salient_options& options,
 
 } // namespace
 
+Json to_json(const Salient_points& found)
+{
+  Json points = Json::array();
+  for(std::size_t i = 0; i < found.points.size(); ++i) {
+    Json point;
+    AP::IO::for_each_column(found.points[i], found.sides[i],
+                            [&point](const char* name, const auto& value) { point[name] = value; });
+    points.push_back(std::move(point));
+  }
+  return points;
+}
+
 void report_parameters(const Salient_options& options, Console& console)
 {
   console.report["parameters"] = {{"mode", options.mode},
@@ -131,9 +135,7 @@ void report_parameters(const Salient_options& options, Console& console)
 
 void report_points(const Salient_points& found, const Salient_options& options, Console& console)
 {
-  Json& points = console.report["points"] = Json::array();
-  for(std::size_t i = 0; i < found.points.size(); ++i)
-    points.push_back(to_json(found.points[i], found.sides[i]));
+  console.report["points"] = to_json(found);
   const Json counts = counts_of(found);
   console.report["counts"] = counts;
   if(found.points.empty()) {

@@ -16,6 +16,9 @@ namespace mapt {
 /// tells what was asked for.
 void report_parameters(const Salient_options& options, Console& console);
 
+/// all columns of each point. A number that is unknown becomes null.
+nlohmann::ordered_json to_json(const Salient_points& found);
+
 /// tells what was found: all of it in the object of --json, the strongest and their number in the table.
 void report_points(const Salient_points& found, const Salient_options& options, Console& console);
 

@@ -87,8 +87,11 @@ Shown_mesh shown_mesh(const Input& input, std::size_t most_faces)
   Shown_mesh mesh;
   mesh.triangles = input.triangles;
   if(mesh.triangles.size() > most_faces) {
-    // A cube holds about two triangles when its side is that of a face of the coarse mesh.
-    mesh.joined_within = std::sqrt(input.report.area / double(most_faces));
+    // A cube holds about two triangles when its side is that of a face of the coarse mesh. Of slivers all area may
+    // be next to nothing.
+    const CGAL::Bbox_3& box = input.report.bounding_box;
+    mesh.joined_within = std::max(std::sqrt(input.report.area / double(most_faces)),
+                                  1e-5 * std::max({box.x_span(), box.y_span(), box.z_span()}));
     while((mesh.triangles = joined_triangles(input, first_in_cube(input, mesh.joined_within)))
               .size() > most_faces)
       mesh.joined_within *= 1.2;

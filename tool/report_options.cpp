@@ -80,6 +80,10 @@ bool read_options(const std::vector<std::string>& arguments, Console& console,
   add_console_options(app, console);
   if(!parse(app, arguments))
     return false;
+  // Words may come more than once.
+  std::sort(options.left_out.begin(), options.left_out.end());
+  options.left_out.erase(std::unique(options.left_out.begin(), options.left_out.end()),
+                         options.left_out.end());
   if(!options.output.empty())
     check_extension("--output", options.output, {".html", ".htm"});
   return true;

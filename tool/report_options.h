@@ -12,6 +12,7 @@
 #include "command_line.h"
 #include "scale_options.h"
 
+#include <cstddef>
 #include <string>
 #include <vector>
 

@@ -137,11 +137,12 @@ class Contents(Reports):
         self.assertEqual(one.arrays, two.arrays)
 
     def test_parts_can_be_left_out(self):
-        report, page = self.make(self.sphere, "--leave-out", "salient,lines,medial,descriptor")
+        report, page = self.make(self.sphere, "--leave-out", "salient,lines,medial,descriptor,lines")
         for part in ("salient", "lines", "medial", "descriptor"):
             self.assertIsNone(page.json[part])
             self.assertNotIn(part, report)
         self.assertEqual(list(report["steps"]), ["maps"])
+        self.assertEqual(report["parameters"]["left_out"], ["descriptor", "lines", "medial", "salient"])
 
     def test_large_meshes_are_drawn_coarser(self):
         report, page = self.make(self.sphere, "--most-faces", "300")

@@ -46,6 +46,13 @@ class Page:
         self._answers, self._received, self._last = {}, b"", 0
         self._profile = tempfile.TemporaryDirectory(prefix="report-page-", ignore_cleanup_errors=True)
         self._start()
+        try:
+            self._open(address, size, dark, scale, before)
+        except BaseException:
+            self.__exit__()
+            raise
+
+    def _open(self, address, size, dark, scale, before):
         target = self._call("Target.createTarget", {"url": "about:blank"}, session=False)["targetId"]
         self._session = self._call("Target.attachToTarget", {"targetId": target, "flatten": True},
                                    session=False)["sessionId"]

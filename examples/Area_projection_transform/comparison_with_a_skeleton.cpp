@@ -53,6 +53,10 @@ int main(int argc, char* argv[])
   const AP::Medial_axes compared = AP::medial_axes(surface);
   for(const auto& [name, reason] : compared.left_out)
     std::cout << "no " << name << ": " << reason << "\n";
+  if(compared.axes.empty()) {
+    std::cerr << argv[1] << " has no face with an area\n";
+    return 1;
+  }
   const AP::Medial_judge judge(surface, compared.axes.front(), compared.tolerance);
   for(const AP::Medial_representation& axis : compared.axes)
     std::printf("%-14s %6zu balls cover %5.1f %% of the surface; %ld loops\n", axis.name.c_str(),

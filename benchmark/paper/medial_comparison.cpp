@@ -183,16 +183,13 @@ void medial_comparison(const Options& options, Benchmarks::Report& report)
 {
   report.add_group(
       "medial",
-      "Medial axes of meshes beside CGAL's skeleton by mean curvature flow. Covers: the part of "
-      "the "
-      "area within 0.005 of the diagonal of the balls; fills: the common volume of balls and shape "
-      "over that of either; radius error and aside: 95th percentiles of |r - d| / r and of a / (a "
-      "+ d), "
-      "where d is the distance from the surface and a that from the unpruned axis; there and back: "
-      "the "
-      "largest distance to and from the unpruned axis, in % of the diagonal. Stability: how far "
-      "each "
-      "axis moves, both ways, when the surface changes; each covers 90 % before and after.");
+      "Medial axes of meshes beside CGAL's skeleton by mean curvature flow. Covers: the part "
+      "of the area within 0.005 of the diagonal of the balls; fills: the common volume of "
+      "balls and shape over that of either; radius error and aside: 95th percentiles of |r - "
+      "d| / r and of a / (a + d), where d is the distance from the surface and a that from "
+      "the unpruned axis; there and back: the largest distance to and from the unpruned axis, "
+      "in % of the diagonal. Stability: how far each axis moves, both ways, when the surface "
+      "changes; each covers 90 % before and after.");
   const std::vector<Mesh> meshes =
       options.is_quick ? std::vector<Mesh>{{"cylinder", cylinder(1, 6, 24, 24)}}
                        : read_meshes(options, {"hand.obj", "human_woman.obj", "scorpion_low.obj"});

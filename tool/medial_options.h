@@ -13,6 +13,7 @@
 
 #include <CGAL/Area_projection_transform/medial_balls/Medial_ball.h>
 
+#include <cstddef>
 #include <cstdint>
 #include <optional>
 #include <string>

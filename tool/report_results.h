@@ -15,6 +15,7 @@
 #include <CGAL/Area_projection_transform/medial_balls/Medial_ball.h>
 #include <CGAL/Area_projection_transform/shape_descriptor.h>
 
+#include <cstddef>
 #include <optional>
 #include <string>
 #include <utility>

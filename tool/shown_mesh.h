@@ -10,6 +10,7 @@
 #include "input.h"
 
 #include <array>
+#include <cstddef>
 #include <cstdint>
 #include <vector>
 

@@ -10,10 +10,12 @@
 #include <CGAL/Area_projection_transform/Row_spans.h>
 #include <CGAL/Area_projection_transform/scales.h>
 
+#include <cstddef>
 #include <cstdint>
 #include <memory>
 #include <stdexcept>
 #include <string>
+#include <utility>
 #include <vector>
 
 namespace CGAL {

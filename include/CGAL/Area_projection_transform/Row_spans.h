@@ -10,6 +10,7 @@
 #include <CGAL/Area_projection_transform/Grid_3.h>
 
 #include <algorithm>
+#include <cstddef>
 #include <cstdint>
 #include <utility>
 #include <vector>

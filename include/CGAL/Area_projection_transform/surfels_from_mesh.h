@@ -15,6 +15,7 @@
 #include <CGAL/boost/graph/named_params_helper.h>
 
 #include <cmath>
+#include <cstddef>
 #include <cstdint>
 #include <iterator>
 #include <limits>
@@ -22,6 +23,7 @@
 #include <string>
 #include <type_traits>
 #include <unordered_map>
+#include <vector>
 
 namespace CGAL {
 namespace Area_projection {

@@ -8,6 +8,7 @@
 #define CGAL_AREA_PROJECTION_TRANSFORM_IO_NUMBER_TEXT_H
 
 #include <charconv>
+#include <cstddef>
 #include <string>
 #include <string_view>
 #include <system_error>

@@ -9,8 +9,6 @@
 
 #include <CGAL/Area_projection_transform/centerlines/Draft_graph.h>
 
-#include <algorithm>
-#include <cmath>
 #include <cstddef>
 #include <map>
 #include <set>

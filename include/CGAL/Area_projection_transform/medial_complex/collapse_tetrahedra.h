@@ -10,6 +10,7 @@
 #include <CGAL/Area_projection_transform/medial_complex/Dual_complex.h>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <cstddef>
 #include <cstdint>

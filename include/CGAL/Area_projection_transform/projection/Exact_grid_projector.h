@@ -13,6 +13,7 @@
 #include <CGAL/Area_projection_transform/scales.h>
 
 #include <algorithm>
+#include <cstddef>
 #include <utility>
 #include <vector>
 

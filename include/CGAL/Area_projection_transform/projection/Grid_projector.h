@@ -14,6 +14,7 @@
 #include <CGAL/Area_projection_transform/internal/add_patches.h>
 #include <CGAL/Area_projection_transform/scales.h>
 
+#include <cstddef>
 #include <stdexcept>
 #include <string>
 #include <utility>

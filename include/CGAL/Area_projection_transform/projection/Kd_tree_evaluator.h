@@ -21,7 +21,9 @@
 #include <boost/iterator/counting_iterator.hpp>
 #include <boost/iterator/function_output_iterator.hpp>
 
+#include <cstddef>
 #include <memory>
+#include <vector>
 
 namespace CGAL {
 namespace Area_projection {

@@ -16,6 +16,7 @@
 #include <CGAL/assertions.h>
 
 #include <cmath>
+#include <cstddef>
 #include <stdexcept>
 #include <string>
 #include <utility>

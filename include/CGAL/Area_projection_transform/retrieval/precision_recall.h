@@ -9,6 +9,7 @@
 
 #include <CGAL/Area_projection_transform/retrieval/evaluation.h>
 
+#include <algorithm>
 #include <cmath>
 #include <cstddef>
 #include <cstdint>

@@ -164,18 +164,26 @@ private:
     constexpr double beside = 0.2, inside = 0.25, as_large = 1.25;
     std::stable_sort(balls.begin(), balls.end(),
                      [](const Inner_ball& a, const Inner_ball& b) { return a.radius > b.radius; });
-    std::vector<Inner_ball> kept;
+    std::vector<Vector> centers;
+    std::vector<double> radii;
     for(const Inner_ball& ball : balls) {
-      const auto is_beside = [&](const Inner_ball& other) {
-        return (other.center - ball.center).norm() < beside * other.radius;
-      };
-      const auto is_in_line = [&](const Node& node) {
-        return ball.radius < as_large * node.radius &&
-               (node.position - ball.center).norm() < inside * node.radius;
-      };
-      if(std::none_of(kept.begin(), kept.end(), is_beside) &&
-         std::none_of(m_nodes.begin(), m_nodes.end(), is_in_line))
-        kept.push_back(ball);
+      centers.push_back(ball.center);
+      radii.push_back(ball.radius);
+    }
+    const Cell_list cells(centers, std::max(inside * median(radii), 1e-300));
+    std::vector<bool> is_dropped(balls.size(), false);
+    for(const Node& node : m_nodes)
+      cells.for_each_in_ball(node.position, inside * node.radius, [&](std::size_t i, double) {
+        if(balls[i].radius < as_large * node.radius)
+          is_dropped[i] = true;
+      });
+    std::vector<Inner_ball> kept;
+    for(std::size_t i = 0; i < balls.size(); ++i) {
+      if(is_dropped[i])
+        continue;
+      kept.push_back(balls[i]);
+      cells.for_each_in_ball(balls[i].center, beside * balls[i].radius,
+                             [&](std::size_t j, double) { is_dropped[j] = true; });
     }
     return kept;
   }

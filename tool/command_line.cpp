@@ -161,7 +161,7 @@ void add_console_options(CLI::App& app, Console& console)
   app.add_flag("-q,--quiet", console.is_quiet, "print errors only")->group("Messages");
   app.add_flag("-v,--verbose", console.is_verbose, "say more about what is going on")
       ->group("Messages");
-  app.set_config("--config", "", "read options from a file with lines such as 'voxel = 0.5'")
+  app.set_config("--config", "", "read options from a file with lines such as 'threads = 2'")
       ->type_name("FILE")
       ->group("Messages");
   app.allow_config_extras(CLI::config_extras_mode::error);

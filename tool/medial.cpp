@@ -10,6 +10,7 @@
 #include "cost.h"
 #include "describe_input.h"
 #include "file_elements.h"
+#include "find_balls.h"
 #include "map_file.h"
 #include "medial_comparison.h"
 #include "medial_options.h"
@@ -21,7 +22,7 @@
 
 #include <CGAL/Area_projection_transform/IO/medial_balls_PLY.h>
 #include <CGAL/Area_projection_transform/medial_axis_comparison/shape_topology.h>
-#include <CGAL/Area_projection_transform/medial_balls.h>
+#include <CGAL/Area_projection_transform/medial_balls/select_balls.h>
 #include <CGAL/Area_projection_transform/medial_complex.h>
 
 #include <cmath>
@@ -32,8 +33,6 @@
 namespace mapt {
 
 namespace {
-
-using Tag = CGAL::Parallel_if_available_tag;
 
 double diagonal(const CGAL::Bbox_3& box)
 {
@@ -68,10 +67,11 @@ std::vector<std::size_t> selected(const Medial_result& result, const Source& sou
 }
 
 template <class Source>
-Medial_result find_balls(const Source& source, const Medial_options& options)
+Medial_result connect_balls(std::vector<AP::Medial_ball> balls, const Source& source,
+                            const Medial_options& options)
 {
   Medial_result result;
-  result.balls = AP::medial_balls<Tag>(source, options.computation);
+  result.balls = std::move(balls);
   result.tolerance = options.tolerance.value_or(0.005 * diagonal(source.bbox()));
   if(!(result.tolerance > 0)) // of a surface without extent
     return result;
@@ -140,14 +140,18 @@ bool run_medial(const std::vector<std::string>& arguments, Console& console)
   const double reading = watch.seconds();
 
   const auto surface = make_surface(input, Surface_options(), 1);
+  const Signal_watch signals;
+  std::vector<AP::Medial_ball> balls = find_balls(*surface, options.computation, console);
   const Medial_result result = std::visit(
-      [&](const auto* source) { return find_balls(*source, options); }, surface->source());
+      [&](const auto* source) { return connect_balls(std::move(balls), *source, options); },
+      surface->source());
+  Signal_watch::check();
   Axis_comparison comparison;
   if(!options.compare.empty())
     comparison = compare_axes(*surface, options);
+  Signal_watch::check();
   const double computing = watch.seconds();
 
-  const Signal_watch signals;
   write_files(result, comparison, *surface, input, options, console);
   report_cost({reading, computing, watch.seconds()}, console);
   for(const std::string file : console.report["outputs"])

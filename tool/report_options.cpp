@@ -84,7 +84,7 @@ bool read_options(const std::vector<std::string>& arguments, Console& console,
   std::sort(options.left_out.begin(), options.left_out.end());
   options.left_out.erase(std::unique(options.left_out.begin(), options.left_out.end()),
                          options.left_out.end());
-  if(!options.output.empty())
+  if(app.count("--output") > 0) // a name without letters is none, too
     check_extension("--output", options.output, {".html", ".htm"});
   return true;
 }

@@ -7,11 +7,12 @@
 #include "report_results.h"
 
 #include "cost.h"
+#include "find_balls.h"
 #include "find_lines.h"
 #include "progress.h"
 #include "threads.h"
 
-#include <CGAL/Area_projection_transform/medial_balls.h>
+#include <CGAL/Area_projection_transform/medial_balls/select_balls.h>
 #include <CGAL/Area_projection_transform/projection/Grid_projector.h>
 
 #include <algorithm>
@@ -73,14 +74,14 @@ AP::Centerline_graph find_lines(const Surface& surface, const Report_options& op
 }
 
 // A page has room for a few thousand balls, and nobody sees those that almost coincide.
-template <class Source>
-Shown_balls find_balls(const Source& source, const Report_options& options)
+Shown_balls find_shown_balls(const Surface& surface, const Report_options& options,
+                             const Console& console)
 {
   constexpr std::size_t most = 3000;
   constexpr double apart = 0.3; // of the radius
   AP::Medial_ball_options choices;
   choices.side = side_of(options);
-  const std::vector<AP::Medial_ball> all = AP::medial_balls<Tag>(source, choices);
+  const std::vector<AP::Medial_ball> all = find_balls(surface, choices, console);
   Shown_balls shown;
   shown.found = all.size();
   for(const std::size_t i : AP::select_strongest(all, AP::Medial_weight::IMPORTANCE, most, apart))
@@ -149,9 +150,8 @@ Report_results compute_report(const Input& input, const Report_options& options,
   if(options.has("lines"))
     results.lines = steps("centrelines", [&] { return find_lines(*surface, options, console); });
   if(options.has("medial"))
-    results.medial = steps("medial balls", [&] {
-      return std::visit([&](const auto* s) { return find_balls(*s, options); }, surface->source());
-    });
+    results.medial =
+        steps("medial balls", [&] { return find_shown_balls(*surface, options, console); });
   if(options.has("descriptor"))
     steps("descriptor", [&] {
       describe(input, results);

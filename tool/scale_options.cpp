@@ -136,7 +136,8 @@ std::vector<AP::Scale> choose_scales(const Scale_options& options, const CGAL::B
   // The smallest radius may be the voxel itself, computed in another way.
   if(radii.front() < voxel * (1 - 1e-9))
     throw Usage_error("the radius " + to_text(radii.front(), 9) + " is smaller than the voxel, " +
-                      to_text(voxel, 9) + ": lower --voxel, or leave the radius out");
+                      to_text(voxel, 9) +
+                      ": lower --voxel (report: raise --resolution), or leave the radius out");
   const std::vector<AP::Scale> scales = options.sigma
                                             ? AP::fixed_sigma_scales(radii, *options.sigma)
                                             : AP::proportional_scales(radii, options.sigma_ratio);

@@ -238,6 +238,20 @@ class Comparison(Test):
         self.assertIsNone(comparison["shape"])
         self.assertIsNone(comparison["representations"][0]["volume"]["overlap"])
 
+    def test_a_name_of_two_lines_does_not_end_the_header(self):
+        mesh = self.write("two\nlines.off", off(self.points, self.faces))
+        self.succeed("medial", mesh, "-o", self.path / "balls.ply")
+        self.assertGreater(len(read_balls(self.path / "balls.ply")), 0)
+        self.succeed("info", self.path / "balls.ply")
+
+    def test_a_file_that_is_replaced_keeps_its_permissions(self):
+        mesh = self.write("ball.off", off(self.points, self.faces))
+        output = self.path / "balls.ply"
+        output.write_text("", encoding="utf-8")
+        output.chmod(0o600)
+        self.succeed("medial", mesh, "-o", output)
+        self.assertEqual(output.stat().st_mode & 0o777, 0o600)
+
     def test_does_not_depend_on_threads(self):
         mesh = self.write("open.off", off(self.points, self.faces[1:]))  # has no skeleton, CGAL's
         results = []

@@ -17,6 +17,7 @@
 
 #include <gtest/gtest.h>
 
+#include <functional>
 #include <limits>
 #include <set>
 
@@ -362,6 +363,38 @@ TEST(Medial_balls, say_what_is_wrong)
   EXPECT_NE(complaint([&] { AP::select_random({}, 1, 0, -1); }).find("suppression"),
             std::string::npos);
   EXPECT_NE(complaint([&] { AP::IO::medial_balls_PLY({}, {0}); }).find("kept"), std::string::npos);
+}
+
+// A surface of a few needles needs no more samples than one of 8000 faces, six for each at most.
+TEST(Medial_balls, of_long_thin_things_are_not_more_than_of_others)
+{
+  for(const double width : {1., 1e-3, 1e-7}) {
+    const auto balls = AP::medial_balls<Parallel>(
+        surface_of(shapes::moved(shapes::cylinder(4, 1, 1, true, 1), [=](const Point_3& p) {
+          return Point_3(width * p.x(), width * p.y(), 1000 * p.z());
+        })));
+    EXPECT_LT(balls.size(), 6u * 8000u * 2u)
+        << width; // the estimate of pieces is good to a factor of two
+  }
+}
+
+TEST(Medial_balls, tell_their_progress_and_stop_when_they_are_told_to)
+{
+  const AP::Triangle_surface hand = surface_of(bundled_mesh("hand.obj"));
+  double last = 0;
+  const auto all = AP::medial_balls<Parallel>(
+      hand, {}, CGAL::parameters::callback(std::function<bool(double)>([&](double fraction) {
+        EXPECT_GE(fraction, last);
+        last = fraction;
+        return true;
+      })));
+  EXPECT_NEAR(last, 1, 1e-9);
+  const auto some = AP::medial_balls(
+      hand, {},
+      CGAL::parameters::callback(std::function<bool(double)>([](double) { return false; })));
+  EXPECT_FALSE(some.empty());
+  EXPECT_LE(some.size(), 256u); // one block of samples
+  EXPECT_GT(all.size(), 10 * some.size());
 }
 
 TEST(Selected_balls, are_apart_and_the_strongest)

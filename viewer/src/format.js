@@ -52,3 +52,7 @@ function niceStep(step) {
   const power = 10 ** Math.floor(Math.log10(step || 1));
   return [1, 2, 5, 10].map((digit) => digit * power).find((nice) => nice >= step * (1 - 1e-9));
 }
+
+// Half of the interval of the radius, or null where none is known.
+export const uncertainty = (point) => (point.radius_high === null || point.radius_low === null
+  ? null : (point.radius_high - point.radius_low) / 2);

@@ -8,7 +8,7 @@
 
 import { Vector3 } from 'three';
 import { element, svg } from './dom.js';
-import { fixed, lengthFormat, percent, significant } from './format.js';
+import { fixed, lengthFormat, percent, significant, uncertainty } from './format.js';
 import { Axes, ColourBar, Note, ScaleBar } from './overlay.js';
 import { colour } from './palettes.js';
 import { Field, pickBall, pickLine, strongestAlong } from './picking.js';
@@ -213,12 +213,17 @@ export class Stage {
     return found[0]?.describe() ?? this.#describeMap(ray);
   }
 
+  #radiusOf(point) {
+    const half = uncertainty(point);
+    return half === null ? this.lengths(point.radius) : `${this.lengths(point.radius)} ± ${significant(half, 2)}`;
+  }
+
   #describePoint(index) {
     const p = this.content.report.salient[index];
     return {
       point: index,
       title: `Salient point ${index + 1}: ${p.type}`,
-      rows: [['R', `${this.lengths(p.radius)} ± ${significant((p.radius_high - p.radius_low) / 2, 2)}`],
+      rows: [['R', this.#radiusOf(p)],
         ['MAPT', fixed(p.intensity, 3)], ['sphericity', fixed(p.sphericity)], ['seen', percent(p.observed_fraction)],
         ['raw scale', this.lengths(p.scale)], ['at', this.#place([p.x, p.y, p.z])]],
     };

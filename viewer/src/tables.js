@@ -7,7 +7,7 @@
 // What is told in rows: the salient points, and pairs of names and values.
 
 import { element } from './dom.js';
-import { fixed, lengthFormat, percent } from './format.js';
+import { fixed, lengthFormat, percent, uncertainty } from './format.js';
 
 export class PointTable {
   // `onPoint(index)` is called with the row under the pointer (or -1), `onSelect(index)` with the one that is chosen.
@@ -17,7 +17,7 @@ export class PointTable {
       { name: '#', of: (p) => p.index + 1, text: String },
       { name: 'type', of: (p) => p.type, text: String },
       { name: 'R', of: (p) => p.radius, text: lengths, title: 'radius of the fitted shape' },
-      { name: '±', of: (p) => (p.radius_high - p.radius_low) / 2, text: lengths, title: 'half of the interval that holds the radius with a probability of 95 %' },
+      { name: '±', of: uncertainty, text: (half) => (half === null ? '–' : lengths(half)), title: 'half of the interval that holds the radius with a probability of 95 %' },
       { name: 'MAPT', of: (p) => p.intensity, text: fixed, title: 'intensity: the largest value over the radii' },
       { name: 'sph.', of: (p) => p.sphericity, text: fixed, title: 'sphericity: 1 if the map extends as far in all directions' },
       { name: 'seen', of: (p) => p.observed_fraction, text: percent, title: 'the part of the shape that is there' },

@@ -9,6 +9,7 @@
 
 #include <CGAL/Area_projection_transform/Surfels.h>
 #include <CGAL/Area_projection_transform/Triangle_surface.h>
+#include <CGAL/Area_projection_transform/internal/Progress_report.h>
 #include <CGAL/Area_projection_transform/internal/parallel_workers.h>
 #include <CGAL/Area_projection_transform/medial_balls/Ball_weigher.h>
 #include <CGAL/Area_projection_transform/medial_balls/Medial_ball.h>
@@ -19,8 +20,10 @@
 #include <CGAL/Area_projection_transform/medial_balls/touching_ball.h>
 #include <CGAL/Area_projection_transform/surfels_from_mesh.h>
 
+#include <algorithm>
 #include <cmath>
 #include <cstddef>
+#include <functional>
 #include <optional>
 #include <utility>
 #include <vector>
@@ -58,8 +61,11 @@ inline Medial_ball medial_ball(const Medial_samples& samples, const Ball_weigher
 
 template <class ConcurrencyTag>
 std::vector<Medial_ball> medial_balls_of(const Medial_samples& samples,
-                                         const Medial_ball_options& options)
+                                         const Medial_ball_options& options,
+                                         const std::function<bool(double)>& callback)
 {
+  constexpr std::size_t block = 256; // samples between two calls
+  Progress_report progress(callback);
   const Thinned_samples thinned(samples);
   std::vector<Medial_ball> balls;
   if(thinned.empty())
@@ -68,7 +74,7 @@ std::vector<Medial_ball> medial_balls_of(const Medial_samples& samples,
   const double least_sine = std::sin(0.5 * options.stop_angle * 3.14159265358979323846 / 180);
   const Ball_weigher weigher(thinned);
   std::vector<std::optional<Medial_ball>> found(samples.size());
-  for_each_index<ConcurrencyTag>(samples.size(), [&](std::size_t i) {
+  const auto find_one = [&](std::size_t i) {
     const double start = std::sqrt(samples.areas[i]);
     if(!(start > 0))
       return;
@@ -76,6 +82,13 @@ std::vector<Medial_ball> medial_balls_of(const Medial_samples& samples,
         thinned, samples.positions[i], samples.normals[i], start, largest, least_sine);
     if(ball)
       found[i] = medial_ball(samples, weigher, i, *ball, options.sigma_ratio);
+  };
+  const std::size_t blocks = (samples.size() + block - 1) / block;
+  for_each_index<ConcurrencyTag>(blocks, [&](std::size_t b) {
+    for(std::size_t i = b * block; i < std::min((b + 1) * block, samples.size()); ++i)
+      if(!progress.is_cancelled())
+        find_one(i);
+    progress.advance(1. / double(blocks));
   });
   for(const std::optional<Medial_ball>& ball : found)
     if(ball)
@@ -108,6 +121,16 @@ std::vector<Medial_ball> medial_balls_of(const Medial_samples& samples,
 /// result does not depend on it, to the last bit
 /// \param surface triangles, facing outward
 /// \param options the choices
+/// \param np an optional named parameter:
+/// \cgalNamedParamsBegin
+///   \cgalParamNBegin{callback}
+///     \cgalParamDescription{is told the progress, in [0, 1], and answers whether to go on; is called by any of the
+///                           threads, but never twice at a time. If it answers `false`, the balls found by then
+///                           are returned.}
+///     \cgalParamType{an instance of `std::function<bool(double)>`}
+///     \cgalParamDefault{none}
+///   \cgalParamNEnd
+/// \cgalNamedParamsEnd
 /// \throw std::invalid_argument if the spacing is not positive, or an angle or `σ/R` not in its range
 ///
 /// What is smaller than a tenth of the radius of a ball, the distance of the samples that it looks at, may stick into it
@@ -115,27 +138,32 @@ std::vector<Medial_ball> medial_balls_of(const Medial_samples& samples,
 ///
 /// Complexity: some thousand samples are looked at for each ball, whatever the shape. The scale axis compares each ball with
 /// the larger ones, at most 20 000 of them. Memory: about 600 bytes for each sample.
-template <class ConcurrencyTag = CGAL::Sequential_tag>
-std::vector<Medial_ball> medial_balls(const Triangle_surface& surface,
-                                      const Medial_ball_options& options = {})
+template <class ConcurrencyTag = CGAL::Sequential_tag,
+          class NamedParameters = CGAL::parameters::Default_named_parameters>
+std::vector<Medial_ball>
+medial_balls(const Triangle_surface& surface, const Medial_ball_options& options = {},
+             const NamedParameters& np = CGAL::parameters::default_values())
 {
   internal::check(options);
   return internal::medial_balls_of<ConcurrencyTag>(internal::Medial_samples(surface, options),
-                                                   options);
+                                                   options, internal::callback_of(np));
 }
 
 /// \ingroup PkgAreaProjectionTransformMedialBalls
 /// \brief the same for points with normals and the areas that they stand for.
 /// \param points the points
 /// \param options the choices
+/// \param np optionally `callback`
 /// \throw std::invalid_argument also if a position is not finite, a normal not of length 1, or an area negative
-template <class ConcurrencyTag = CGAL::Sequential_tag>
-std::vector<Medial_ball> medial_balls(const Surfels& points,
-                                      const Medial_ball_options& options = {})
+template <class ConcurrencyTag = CGAL::Sequential_tag,
+          class NamedParameters = CGAL::parameters::Default_named_parameters>
+std::vector<Medial_ball>
+medial_balls(const Surfels& points, const Medial_ball_options& options = {},
+             const NamedParameters& np = CGAL::parameters::default_values())
 {
   internal::check(options);
   return internal::medial_balls_of<ConcurrencyTag>(internal::Medial_samples(points, options),
-                                                   options);
+                                                   options, internal::callback_of(np));
 }
 
 /// \ingroup PkgAreaProjectionTransformMedialBalls
@@ -143,7 +171,7 @@ std::vector<Medial_ball> medial_balls(const Surfels& points,
 /// \tparam TriangleMesh a model of `FaceListGraph`
 /// \param mesh the mesh, facing outward; in several parts, with holes, as it is
 /// \param options the choices
-/// \param np the named parameters of `surface_from_mesh()`
+/// \param np the named parameters of `surface_from_mesh()`, and `callback`
 /// \throw std::invalid_argument also as `surface_from_mesh()` does
 template <class ConcurrencyTag = CGAL::Sequential_tag, class TriangleMesh,
           class NamedParameters = CGAL::parameters::Default_named_parameters>
@@ -151,7 +179,7 @@ std::vector<Medial_ball>
 medial_balls(const TriangleMesh& mesh, const Medial_ball_options& options = {},
              const NamedParameters& np = CGAL::parameters::default_values())
 {
-  return medial_balls<ConcurrencyTag>(surface_from_mesh(mesh, np), options);
+  return medial_balls<ConcurrencyTag>(surface_from_mesh(mesh, np), options, np);
 }
 
 } // namespace Area_projection

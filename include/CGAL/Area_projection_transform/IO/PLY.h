@@ -13,6 +13,7 @@
 
 #include <boost/endian/conversion.hpp>
 
+#include <algorithm>
 #include <array>
 #include <cstddef>
 #include <cstdint>
@@ -101,7 +102,7 @@ private:
 struct PLY_options
 {
   bool is_ascii = false; ///< text, in which numbers read back as exactly the same ones
-  /// lines for the reader in the header, without line ends.
+  /// lines for the reader in the header; control characters, such as line ends, are written as `?`.
   std::vector<std::string> comments;
 };
 
@@ -130,8 +131,13 @@ private:
   void write_header(const std::vector<PLY_element>& elements)
   {
     m_out << "ply\nformat " << (m_options.is_ascii ? "ascii" : "binary_little_endian") << " 1.0\n";
-    for(const std::string& comment : m_options.comments)
+    for(std::string comment : m_options.comments) {
+      // Names of files may have them: a line end would end the comment.
+      std::replace_if(
+          comment.begin(), comment.end(),
+          [](char c) { return static_cast<unsigned char>(c) < 32 || c == 127; }, '?');
       m_out << "comment " << comment << '\n';
+    }
     for(const PLY_element& element : elements) {
       m_out << "element " << element.name() << ' ' << element.size() << '\n';
       for(const PLY_element::Property& property : element.properties())

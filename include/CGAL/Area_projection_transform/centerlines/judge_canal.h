@@ -126,8 +126,9 @@ private:
   {
     const double middle =
         std::atan2(at.radial.dot(m_across.second), at.radial.dot(m_across.first)) / turn;
-    const double half = 0.5 * std::min(std::sqrt(area) / (at.model * turn), 0.15);
-    m_covered.emplace_back(middle - half, middle + half);
+    const double length = std::min(std::sqrt(area) / (at.model * turn), 0.15);
+    const double begin = middle - 0.5 * length, in_turn = begin - std::floor(begin);
+    m_covered.emplace_back(in_turn, in_turn + length);
   }
 
   /// the part of the circumference that is covered, wherever angles are counted from.
@@ -135,20 +136,24 @@ private:
   {
     std::vector<std::pair<double, double>> arcs = m_covered;
     std::sort(arcs.begin(), arcs.end());
-    double uncovered = 0, covered_to = arcs.front().second;
+    double covered_to = 0;
+    for(const auto& [begin, end] : arcs)
+      covered_to = std::max(covered_to, end);
+    // What reaches beyond the turn covers its beginning.
+    covered_to -= 1;
+    double uncovered = 0;
     for(const auto& [begin, end] : arcs) {
-      uncovered += std::max(begin - covered_to, 0.);
+      uncovered += std::max(begin - std::max(covered_to, 0.), 0.);
       covered_to = std::max(covered_to, end);
     }
-    uncovered += std::max(arcs.front().first + 1 - covered_to, 0.);
-    return 1 - uncovered;
+    return 1 - uncovered - std::max(1 - std::max(covered_to, 0.), 0.);
   }
 
   static constexpr double turn = 2 * 3.14159265358979323846;
   const Canal& m_canal;
   const Claims& m_claims;
   std::pair<Eigen::Vector3d, Eigen::Vector3d> m_across;
-  std::vector<std::pair<double, double>> m_covered; // in turns
+  std::vector<std::pair<double, double>> m_covered; // in turns, from [0, 1) on
   std::size_t m_voters = 0;
   double m_area = 0, m_area_within = 0, m_fitted = 0, m_squares = 0, m_weighed = 0, m_ahead = 0,
          m_last = 0, m_claimed = 0;

@@ -104,6 +104,9 @@ public:
       remove_temporary();
       fail("created", m_buffer.error());
     }
+    // Who may read a file that is replaced may read the new one, and nobody else.
+    if(!m_is_direct && fs::is_regular_file(status))
+      fs::permissions(m_written, status.permissions(), error);
   }
 
   Atomic_file(const Atomic_file&) = delete;

@@ -38,9 +38,11 @@ struct Spread_of_values
 };
 
 /// \ingroup PkgAreaProjectionTransformMedialComparison
-/// \brief summarises numbers.
+/// \brief summarises numbers; those that are NaN are left out.
 inline Spread_of_values spread_of(std::vector<double> values)
 {
+  values.erase(std::remove_if(values.begin(), values.end(), [](double v) { return std::isnan(v); }),
+               values.end());
   if(values.empty())
     return {};
   std::sort(values.begin(), values.end());

@@ -303,7 +303,9 @@ void take_points(const Input_file& file, Raw_mesh&& raw, const Reading_options& 
     file.fail("all areas of its points are 0: give them areas, or leave the areas out");
 }
 
-Input take(const Input_file& file, const Reading_options& options)
+} // namespace
+
+Input read_input(const Input_file& file, const Reading_options& options)
 {
   Raw_mesh raw = reader_of(file)(file);
   if(raw.points.empty())
@@ -323,13 +325,10 @@ Input take(const Input_file& file, const Reading_options& options)
   return input;
 }
 
-} // namespace
-
 Input read_input(const std::string& name, const Reading_options& options)
 {
   try {
-    const Input_file file = load(name);
-    return take(file, options);
+    return read_input(load(name), options);
   } catch(const std::bad_alloc&) {
     throw Input_error(name + ": does not fit into the memory: simplify the mesh");
   }

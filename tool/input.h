@@ -59,6 +59,9 @@ struct Input
 /// \throw Usage_error if normals are to be estimated and there are faces, or normals.
 Input read_input(const std::string& file, const Reading_options& options = {});
 
+/// the same for bytes that are in memory already.
+Input read_input(const Input_file& file, const Reading_options& options = {});
+
 } // namespace mapt
 
 #endif // MAPT_INPUT_H

@@ -725,6 +725,34 @@ TEST(Csv, round_trip)
   EXPECT_FALSE(reader.read(fields));
 }
 
+// what a reader takes for a mark, a remark, a blank or the end of a line is none within a field
+TEST(Csv, text_is_read_as_it_was_written)
+{
+  for(const std::string text :
+      {"\xEF\xBB\xBF", "\xEF\xBB\xBF.off", "a\r\nb", "\r", "#1", "\"", "\t", "=1+1"}) {
+    std::stringstream table;
+    IO::CSV_writer(table).row(text, text);
+    IO::CSV_reader reader(table, "table");
+    std::vector<std::string> fields;
+    ASSERT_TRUE(reader.read(fields));
+    EXPECT_EQ(fields, (std::vector<std::string>{text, text}));
+    EXPECT_FALSE(reader.read(fields));
+  }
+}
+
+TEST(Csv, lines_may_end_as_on_other_systems)
+{
+  std::istringstream table("\xEF\xBB\xBF"
+                           "a,b\r\n\r\n\"c\",d \r\n");
+  IO::CSV_reader reader(table, "table");
+  std::vector<std::string> fields;
+  ASSERT_TRUE(reader.read(fields));
+  EXPECT_EQ(fields, (std::vector<std::string>{"a", "b"}));
+  ASSERT_TRUE(reader.read(fields));
+  EXPECT_EQ(fields, (std::vector<std::string>{"c", "d"}));
+  EXPECT_FALSE(reader.read(fields));
+}
+
 // a comma for the decimal point must neither be written nor expected
 TEST(Csv, locale_does_not_matter)
 {

@@ -30,6 +30,15 @@ namespace CGAL {
 namespace Area_projection {
 namespace IO {
 
+/// \cond SKIP_IN_MANUAL
+namespace internal {
+
+/// with which some programs begin a file of UTF-8 text.
+inline constexpr std::string_view byte_order_mark = "\xEF\xBB\xBF";
+
+} // namespace internal
+/// \endcond
+
 /// \ingroup PkgAreaProjectionTransformIO
 /// \brief writes a table of comma-separated values, row by row.
 ///
@@ -72,7 +81,8 @@ public:
 private:
   void write_text(std::string_view text)
   {
-    if(text.find_first_of(",\"\n\r#") == std::string_view::npos && trimmed_is_same(text)) {
+    if(text.find_first_of(",\"\n\r#") == std::string_view::npos && trimmed_is_same(text) &&
+       text.substr(0, internal::byte_order_mark.size()) != internal::byte_order_mark) {
       m_out << text;
       return;
     }
@@ -140,11 +150,10 @@ private:
         throw std::runtime_error(m_name + ": cannot be read");
       return false;
     }
-    if(++m_line == 1 && line.compare(0, 3, "\xEF\xBB\xBF") == 0)
-      line.erase(0, 3);
-    if(!line.empty() && line.back() == '\r')
-      line.pop_back();
-    return true;
+    const std::size_t length = internal::byte_order_mark.size();
+    if(++m_line == 1 && line.compare(0, length, internal::byte_order_mark) == 0)
+      line.erase(0, length);
+    return true; // a carriage return at its end is a blank, or within quotes part of the field
   }
 
   static void split(std::string_view text, std::vector<std::string>& fields)

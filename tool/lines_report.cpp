@@ -114,8 +114,14 @@ void report_lines(const AP::Centerline_graph& graph, const Lines_options& option
   const std::vector<std::size_t> nodes = AP::nodes(graph);
   const auto& branches = AP::branches(graph);
   Json& json = console.report["lines"];
-  json = {
-      {"pieces", number_of_pieces(graph)}, {"branches", Json::array()}, {"nodes", Json::array()}};
+  const bool is_turned_over = graph[boost::graph_bundle].is_turned_over;
+  json = {{"pieces", number_of_pieces(graph)},
+          {"is_turned_over", is_turned_over},
+          {"branches", Json::array()},
+          {"nodes", Json::array()}};
+  if(is_turned_over)
+    console.warn(options.mesh + ": the faces look inward, seen as a whole: lines were sought as if "
+                                "they looked outward");
   for(const AP::Centerline_branch& branch : branches)
     json["branches"].push_back(to_json(branch, nodes));
   for(const std::size_t node : nodes) {

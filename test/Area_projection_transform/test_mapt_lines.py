@@ -54,6 +54,14 @@ class Lines(Test):
     def lines(self, *arguments):
         return self.succeed("lines", *arguments)
 
+    def test_of_what_looks_inward_are_told_to_be_turned(self):
+        points, faces = tube()
+        inward = self.write("inward.off", off(points, [face[::-1] for face in faces]))
+        result = self.lines(inward, "--json")
+        self.assertTrue(json.loads(result.stdout)["lines"]["is_turned_over"])
+        self.assertIn("as if they looked outward", result.stderr)
+        self.assertFalse(self.report("lines", self.mesh)["lines"]["is_turned_over"])
+
     def test_of_a_tube_are_its_axis(self):
         self.lines(self.mesh, "-o", self.path / "l.json")
         graph = json.loads((self.path / "l.json").read_text())

@@ -188,6 +188,24 @@ void expect_grid_equals_evaluator(const Soup& soup, const AP::Row_spans& region,
   EXPECT_LT(shapes::relative_rms(on_grid, at_points), relative + rounding / rms);
 }
 
+// Three points that are on a line but for the rounding of one: on a lattice of 0.08 the edges were parallel, and nothing
+// was a number. What little area there is may go to any voxel.
+TEST(Exact_grid_projector, a_needle_of_no_width_does_no_harm)
+{
+  const Soup needle{{{-0.19487034147299256, 0.38974068294598513, 0.65915257507642799},
+                     {0.097435170736496282, 0.29230551220948886, 0.65915257507642799},
+                     {0.38974068294598513, 0.19487034147299256, 0.65915257507642799}},
+                    {{0, 1, 2}}};
+  const Soup soup = shapes::joined(shapes::icosphere(1), needle);
+  const auto alone = shapes::scale_space_of(shapes::icosphere(1));
+  const auto both = shapes::scale_space_of(soup);
+  ASSERT_EQ(both.source().size(), alone.source().size() + 1);
+  const AP::Row_spans region(AP::grid_around(both.bbox(), 0.08));
+  const AP::Scale scale{0.5, 0.16};
+  EXPECT_EQ(shapes::areas_on_grid(AP::Exact_grid_projector(region), both, region, scale),
+            shapes::areas_on_grid(AP::Exact_grid_projector(region), alone, region, scale));
+}
+
 TEST(Exact_grid_projector, equals_the_exact_evaluator_at_every_voxel)
 {
   const Soup blob = shapes::blob(3, 22);

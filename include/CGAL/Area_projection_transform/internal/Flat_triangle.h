@@ -119,15 +119,22 @@ inline Flat_triangle projected_triangle(const Triangle_surface& surface, std::si
                        surface.corner(t, 2) - p);
 }
 
-/// the same in the coordinates of a lattice.
+/// \brief the same in the coordinates of a lattice.
+///
+/// The frame is that of the surface: scaled first, the edges of a needle could become parallel.
 inline Flat_triangle projected_triangle(const Triangle_surface& surface, std::size_t t,
                                         double distance, const Grid_3& lattice)
 {
   const double factor = 1 / lattice.spacing();
   const Point_3& p = surface.corner(t, 0);
-  return Flat_triangle(CGAL::ORIGIN +
-                           factor * (p + distance * surface.normals[t] - lattice.origin()),
-                       factor * (surface.corner(t, 1) - p), factor * (surface.corner(t, 2) - p));
+  const Vector_3 u = surface.corner(t, 1) - p, v = surface.corner(t, 2) - p;
+  Flat_triangle triangle(p, u, v);
+  const Point_3 q = CGAL::ORIGIN + factor * (p + distance * surface.normals[t] - lattice.origin());
+  triangle.corners = {q, q + factor * u, q + factor * v};
+  for(double& length : triangle.lengths)
+    length *= factor;
+  triangle.doubled_area *= factor * factor;
+  return triangle;
 }
 
 } // namespace internal

@@ -45,11 +45,10 @@ inline shapes::Soup raw_soup(Bytes& bytes, Coordinates kind)
     soup.points.push_back(point(bytes, kind));
   for(std::size_t t = 0; t < triangles; ++t) {
     shapes::Triangle triangle;
-    for(std::uint32_t& v : triangle)
-      v = bytes.byte();
-    const bool may_be_out_of_range = triangle[0] == 255;
-    for(std::uint32_t& v : triangle)
-      v = may_be_out_of_range ? v : v % std::uint32_t(points);
+    for(std::uint32_t& v : triangle) {
+      const std::uint8_t index = bytes.byte();
+      v = index == 255 ? std::uint32_t(points) : std::uint32_t(index % points);
+    }
     soup.triangles.push_back(triangle);
   }
   return soup;

@@ -67,9 +67,8 @@ void require_in_bounds(double value, double area, const char* what)
               std::to_string(area));
 }
 
-/// \brief The grid knows distances up to some 1e-6 of what is between the voxel and the triangle, so that its values are
-/// between those of a slightly smaller and a slightly larger ball; a triangle that the rim cuts errs by less than 1e-4 of
-/// its area, and each is rounded to 2^-29 of all area.
+/// \brief The grid knows places up to some 1e-6 of itself, so that its values are between those of a slightly smaller and a
+/// slightly larger ball; each triangle is rounded to 2^-30 of all area.
 void compare_grid(const AP::Constant_scale_space<AP::Triangle_surface>& surface,
                   const AP::Row_spans& region, const Parameters& p)
 {
@@ -77,10 +76,8 @@ void compare_grid(const AP::Constant_scale_space<AP::Triangle_surface>& surface,
   const auto map =
       shapes::areas_on_grid(AP::Exact_grid_projector(region), surface, region, p.scale, p.side);
   const AP::Exact_evaluator tree(surface, p.scale.radius, p.side);
-  const auto& size = region.grid().size();
-  const double rim =
-      1e-5 * p.scale.sigma + 1e-6 * region.grid().spacing() * double(size[0] + size[1] + size[2]);
-  const double tolerance = 1e-4 * area + double(surface.source().size()) * 0x1p-29 * area;
+  const double rim = 1e-5 * p.scale.sigma + 1e-4 * region.grid().spacing();
+  const double tolerance = (1e-6 + double(surface.source().size()) * 0x1p-30) * area;
   std::size_t voxel = 0;
   shapes::for_each_voxel(region, [&](const AP::Point_3& x, std::size_t place) {
     require_in_bounds(map[place], area, "a value of the exact grid");
@@ -99,6 +96,9 @@ void compare_grid(const AP::Constant_scale_space<AP::Triangle_surface>& surface,
 
 void try_transform(const AP::Triangle_surface& triangles, const Parameters& p, bool is_tame)
 {
+  for(const auto& triangle : triangles.triangles)
+    for(const std::uint32_t v : triangle)
+      require(v < triangles.points.size(), "indices are in range");
   const AP::Constant_scale_space surface(triangles);
   const double area = surface.area(p.scale.radius);
   const AP::Exact_evaluator tree(surface, p.scale.radius, p.side);

@@ -12,6 +12,7 @@
 #include "errors.h"
 #include "map_file.h"
 #include "memory.h"
+#include "progress.h"
 #include "surface.h"
 #include "text.h"
 #include "threads.h"
@@ -168,6 +169,7 @@ void write_results(const std::vector<AP::Query>& queries, const std::vector<doub
   if(!options.is_to_stdout()) {
     AP::IO::internal::Atomic_file file(options.output);
     write_table(file.stream(), queries, areas);
+    Signal_watch::check(); // one that came meanwhile leaves nothing behind
     file.commit();
     json.push_back(options.output);
   } else if(!console.is_json)
@@ -254,6 +256,7 @@ bool run_evaluate(const std::vector<std::string>& arguments, Console& console)
 
   const auto surface = make_surface(input, options.surface, 1);
   const std::vector<double> areas = evaluate(*surface, queries, options);
+  const Signal_watch signals;
   write_results(queries, areas, options, console);
   console.report["peak_memory_bytes"] = peak_memory();
   if(!options.is_to_stdout())

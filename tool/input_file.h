@@ -64,8 +64,8 @@ Raw_mesh read_stl(const Input_file& file);
 Raw_mesh read_xyz(const Input_file& file);
 Raw_mesh read_vtp(const Input_file& file);
 
-/// squares and cubes of coordinates up to this size stay finite.
-constexpr double largest_coordinate = 1e100;
+/// squared areas, the fourth powers of coordinates up to this size, stay finite; and those of one over it normal.
+constexpr double largest_coordinate = 1e75;
 
 inline bool is_usable(double x, double y, double z)
 {

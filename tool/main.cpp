@@ -14,6 +14,7 @@
 #include <CGAL/Area_projection_transform/IO/Output_error.h>
 
 #include <algorithm>
+#include <csignal>
 #include <iostream>
 #include <new>
 
@@ -91,6 +92,12 @@ int run(const std::vector<std::string>& arguments, Console& console)
   return DONE;
 }
 
+// TBB throws a plain std::runtime_error then, which tells by its text only what it is about.
+bool is_lack_of_threads(const std::exception& error)
+{
+  return std::string(error.what()).find("pthread_create") != std::string::npos;
+}
+
 int run_guarded(const std::vector<std::string>& arguments)
 {
   Console console;
@@ -109,6 +116,9 @@ int run_guarded(const std::vector<std::string>& arguments)
   } catch(const std::bad_alloc&) {
     return console.fail(UNUSABLE_INPUT, "the memory is used up: raise --voxel, or lower --threads");
   } catch(const std::exception& error) {
+    if(is_lack_of_threads(error))
+      return console.fail(UNUSABLE_INPUT,
+                          "no more threads can be started: lower --threads, or allow more memory");
     return console.fail(INTERNAL_ERROR, std::string("internal: ") + error.what());
   }
 }
@@ -119,5 +129,6 @@ int run_guarded(const std::vector<std::string>& arguments)
 
 int main(int argc, char** argv)
 {
+  std::signal(SIGXFSZ, SIG_IGN); // a file that may not grow is an error like a full disk
   return mapt::run_guarded({argv + 1, argv + argc});
 }

@@ -103,8 +103,8 @@ AP::Row_spans find_region(const AP::Grid_3& grid, const Surface& surface, double
   return std::move(interior.region);
 }
 
-// Counts, beside the joint map of one side, the map of the other and those of the radii; and the
-// whole grid that the algorithm of the paper works on.
+// Counts, beside the joint map of one side, the map of the other and those of the radii; the whole grid that the
+// algorithm of the paper works on; and the program itself with its libraries and threads, as measured.
 AP::Forecast forecast(const Frame& frame, const Transform_plan& plan, const Surface& surface,
                       const Transform_options& options)
 {
@@ -112,6 +112,7 @@ AP::Forecast forecast(const Frame& frame, const Transform_plan& plan, const Surf
   const double maps = options.kind == "jmapt" ? 0 : double(plan.scales.size());
   const double joint_map = 5. / 4.; // in maps of floats
   const double stored = double(plan.region->storage_size());
+  constexpr double bytes_of_program = 1e7;
   AP::Forecast result =
       AP::forecast_joint_map(stored, frame.rows(), double(surface.number_of_elements()),
                              surface.total_area(), plan.voxel, plan.scales, options.sampling_ratio,
@@ -124,8 +125,8 @@ AP::Forecast forecast(const Frame& frame, const Transform_plan& plan, const Surf
     }
   }
   result.writes *= sides;
-  result.bytes +=
-      bytes_per_element(options.surface, plan.threads) * double(surface.number_of_elements());
+  result.bytes += bytes_of_program + bytes_per_element(options.surface, plan.threads) *
+                                         double(surface.number_of_elements());
   return result;
 }
 

@@ -13,6 +13,7 @@
 #include <CGAL/Area_projection_transform/salient_points.h>
 #include <CGAL/Area_projection_transform/shape_descriptor.h>
 
+#include <algorithm>
 #include <optional>
 #include <set>
 #include <stdexcept>
@@ -80,6 +81,9 @@ void try_medial_balls(const AP::Triangle_surface& surface, Bytes& bytes)
 {
   AP::Medial_ball_options options;
   options.side = side_of(bytes);
+  // The default has 8000 samples at least: too many for sanitizers.
+  const CGAL::Bbox_3 box = surface.bbox();
+  options.spacing = std::max({box.x_span(), box.y_span(), box.z_span()}) / 16;
   options.stop_angle = bytes.between(0.5, 179);
   options.crease_angle = bytes.between(0, 180);
   options.sigma_ratio = bytes.between(0.01, 0.99);

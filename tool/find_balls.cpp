@@ -6,11 +6,9 @@
 
 #include "find_balls.h"
 
-#include "progress.h"
+#include "with_progress.h"
 
 #include <CGAL/Area_projection_transform/medial_balls.h>
-
-#include <functional>
 
 namespace mapt {
 
@@ -18,17 +16,11 @@ std::vector<AP::Medial_ball>
 find_balls(const Surface& surface, const AP::Medial_ball_options& options, const Console& console)
 {
   using Tag = CGAL::Parallel_if_available_tag;
-  Progress_line progress(console, "medial balls");
-  const std::function<bool(double)> callback = [&](double fraction) {
-    progress.show(fraction);
-    return !Signal_watch::is_interrupted();
-  };
-  const auto np = CGAL::parameters::callback(callback);
-  std::vector<AP::Medial_ball> balls =
-      std::visit([&](const auto* source) { return AP::medial_balls<Tag>(*source, options, np); },
-                 surface.source());
-  Signal_watch::check();
-  return balls;
+  return with_progress("medial balls", console, [&](const auto& np) {
+    return std::visit(
+        [&](const auto* source) { return AP::medial_balls<Tag>(*source, options, np); },
+        surface.source());
+  });
 }
 
 } // namespace mapt

@@ -6,11 +6,9 @@
 
 #include "find_lines.h"
 
-#include "progress.h"
+#include "with_progress.h"
 
 #include <CGAL/Area_projection_transform/centerlines.h>
-
-#include <functional>
 
 namespace mapt {
 
@@ -18,17 +16,11 @@ AP::Centerline_graph find_lines(const Surface& surface, const AP::Centerline_opt
                                 const Console& console)
 {
   using Tag = CGAL::Parallel_if_available_tag;
-  Progress_line progress(console, "lines");
-  const std::function<bool(double)> callback = [&](double fraction) {
-    progress.show(fraction);
-    return !Signal_watch::is_interrupted();
-  };
-  const auto np = CGAL::parameters::callback(callback);
-  AP::Centerline_graph graph =
-      std::visit([&](const auto* source) { return AP::centerlines<Tag>(*source, options, np); },
-                 surface.source());
-  Signal_watch::check();
-  return graph;
+  return with_progress("lines", console, [&](const auto& np) {
+    return std::visit(
+        [&](const auto* source) { return AP::centerlines<Tag>(*source, options, np); },
+        surface.source());
+  });
 }
 
 } // namespace mapt

@@ -96,11 +96,11 @@ bool run_salient(const std::vector<std::string>& arguments, Console& console)
   report_parameters(options, console);
   const double reading = watch.seconds();
 
+  const Signal_watch signals;
   const auto surface = make_surface(input, Surface_options(), 1);
   const Salient_points found = find_points(*surface, options, console);
   const double computing = watch.seconds();
 
-  const Signal_watch signals;
   write_files(found, *surface, input, options, console);
   report_cost({reading, computing, watch.seconds()}, console);
   for(const std::string file : console.report["outputs"])

@@ -7,14 +7,13 @@
 #include "salient_points.h"
 
 #include "errors.h"
-#include "progress.h"
+#include "with_progress.h"
 
 #include <CGAL/Area_projection_transform/IO/salient_points_CSV.h>
 #include <CGAL/Area_projection_transform/salient_points.h>
 #include <CGAL/Area_projection_transform/salient_points/paper_salient_points.h>
 
 #include <algorithm>
-#include <functional>
 #include <numeric>
 #include <stdexcept>
 #include <utility>
@@ -26,19 +25,10 @@ namespace {
 using Tag = CGAL::Parallel_if_available_tag;
 using Points = std::vector<AP::Salient_point>;
 
-/// \brief calls `work(np)` with a callback that shows the progress and stops on a signal.
-template <class Work>
-Points with_progress(AP::Side side, const Console& console, const Work& work)
+/// what is done, for the progress line.
+std::string task_of(AP::Side side)
 {
-  const Signal_watch signals;
-  Progress_line progress(console, std::string("salient points, ") + AP::IO::to_text(side));
-  const std::function<bool(double)> callback = [&](double fraction) {
-    progress.show(fraction);
-    return !Signal_watch::is_interrupted();
-  };
-  Points points = work(CGAL::parameters::callback(callback));
-  Signal_watch::check();
-  return points;
+  return std::string("salient points, ") + AP::IO::to_text(side);
 }
 
 Points fitted_points(const Surface& surface, AP::Side side, const Salient_options& options,
@@ -50,7 +40,7 @@ Points fitted_points(const Surface& surface, AP::Side side, const Salient_option
   choices.largest_radius = options.largest_radius;
   choices.threshold = options.used_threshold();
   choices.tube_spacing = options.tube_spacing;
-  return with_progress(side, console, [&](const auto& np) {
+  return with_progress(task_of(side), console, [&](const auto& np) {
     return std::visit(
         [&](const auto* source) { return AP::salient_points<Tag>(*source, choices, np); },
         surface.source());
@@ -66,7 +56,7 @@ Points maxima(const Surface& surface, AP::Side side, const Salient_options& opti
   choices.largest_radius = options.largest_radius;
   choices.threshold = options.used_threshold();
   choices.use_joint_map = options.mode == "joint";
-  return with_progress(side, console, [&](const auto& np) {
+  return with_progress(task_of(side), console, [&](const auto& np) {
     return std::visit(
         [&](const auto* source) { return AP::paper_salient_points<Tag>(*source, choices, np); },
         surface.source());

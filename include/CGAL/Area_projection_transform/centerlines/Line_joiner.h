@@ -11,8 +11,8 @@
 #include <CGAL/Area_projection_transform/centerlines/Draft_graph.h>
 #include <CGAL/Area_projection_transform/internal/Disjoint_sets.h>
 #include <CGAL/Area_projection_transform/internal/parallel_workers.h>
+#include <CGAL/Area_projection_transform/internal/solve_symmetric.h>
 
-#include <Eigen/Cholesky>
 #include <Eigen/Core>
 
 #include <algorithm>
@@ -212,7 +212,7 @@ private:
       sum += across / (end.radius * end.radius);
       right += across * end.position / (end.radius * end.radius);
     }
-    return sum.ldlt().solve(right);
+    return solve_symmetric(sum, right);
   }
 
   void make_node(const std::vector<std::size_t>& group)

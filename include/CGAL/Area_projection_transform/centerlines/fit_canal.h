@@ -9,8 +9,8 @@
 
 #include <CGAL/Area_projection_transform/centerlines/Canal.h>
 #include <CGAL/Area_projection_transform/centerlines/Sample_levels.h>
+#include <CGAL/Area_projection_transform/internal/solve_symmetric.h>
 
-#include <Eigen/Cholesky>
 #include <Eigen/Core>
 
 #include <algorithm>
@@ -184,7 +184,7 @@ private:
     Canal::Row ridge;
     ridge << 1e-4, 1e-4, 0.003, 0.003, 0.004, 0.004, 1e-4, 0.01, 0.03, 0.03;
     hessian.diagonal() += sum * ridge;
-    const Canal::Row step = hessian.ldlt().solve(-gradient);
+    const Canal::Row step = solve_symmetric(hessian, -gradient);
     if(!step.allFinite())
       return false;
     canal.move(step, e1, e2);

@@ -7,8 +7,8 @@
 #define CGAL_AREA_PROJECTION_TRANSFORM_FITTING_ELLIPSOID_H
 
 #include <CGAL/Area_projection_transform/fitting/Robust_fit.h>
+#include <CGAL/Area_projection_transform/internal/solve_symmetric.h>
 
-#include <Eigen/Cholesky>
 #include <Eigen/Core>
 #include <Eigen/Eigenvalues>
 #include <Eigen/LU>
@@ -135,11 +135,11 @@ inline std::optional<Ellipsoid> ellipsoid_with_normals(const std::vector<Eigen::
     add(dz, normals[i].z());
   }
   hessian.diagonal().array() += 1e-9 * double(points.size());
-  const Row q = hessian.ldlt().solve(gradient);
+  const Row q = solve_symmetric(hessian, gradient);
   Eigen::Matrix3d a;
   a << q[0], q[1] / 2, q[2] / 2, q[1] / 2, q[3], q[4] / 2, q[2] / 2, q[4] / 2, q[5];
   const Eigen::Vector3d b = q.segment<3>(6);
-  const Eigen::Vector3d center = -0.5 * a.ldlt().solve(b);
+  const Eigen::Vector3d center = -0.5 * solve_symmetric(a, b);
   const double level = center.dot(a * center) - q[9]; // (p - c)ᵀ A (p - c) = level
   const Eigen::SelfAdjointEigenSolver<Eigen::Matrix3d> eigen(a / level);
   if(!(level > 0) || !(eigen.eigenvalues()[0] > 0) || !center.allFinite())

@@ -7,7 +7,8 @@
 #ifndef CGAL_AREA_PROJECTION_TRANSFORM_FITTING_ROBUST_FIT_H
 #define CGAL_AREA_PROJECTION_TRANSFORM_FITTING_ROBUST_FIT_H
 
-#include <Eigen/Cholesky>
+#include <CGAL/Area_projection_transform/internal/solve_symmetric.h>
+
 #include <Eigen/Core>
 
 #include <algorithm>
@@ -98,7 +99,7 @@ public:
   {
     Matrix hessian = m_hessian;
     hessian.diagonal() += m_sum_of_weights * ridge;
-    return hessian.ldlt().solve(-m_gradient);
+    return solve_symmetric(hessian, -m_gradient);
   }
 
   /// \brief the covariance of the parameters (Huber's sandwich, corrected for the number of parameters).
@@ -106,16 +107,16 @@ public:
   Matrix covariance(const std::vector<int>& free) const
   {
     const Eigen::Index n = Eigen::Index(free.size());
-    Eigen::MatrixXd hessian(n, n), scatter(n, n);
+    Small_matrix hessian(n, n), scatter(n, n);
     for(Eigen::Index i = 0; i < n; ++i)
       for(Eigen::Index j = 0; j < n; ++j) {
         hessian(i, j) = m_hessian(free[std::size_t(i)], free[std::size_t(j)]);
         scatter(i, j) = m_scatter(free[std::size_t(i)], free[std::size_t(j)]);
       }
-    const Eigen::MatrixXd inverse = hessian.ldlt().solve(Eigen::MatrixXd::Identity(n, n));
+    const Small_matrix inverse = solve_symmetric(hessian, Small_matrix::Identity(n, n));
     const double slopes = m_sum_of_slopes > 0 ? m_sum_of_weights / m_sum_of_slopes : 1;
     const double numbers = double(m_number) / std::max(double(m_number) - double(n), 1.);
-    const Eigen::MatrixXd reduced = inverse * scatter * inverse * (slopes * slopes * numbers);
+    const Small_matrix reduced = inverse * scatter * inverse * (slopes * slopes * numbers);
     Matrix all = Matrix::Zero();
     for(Eigen::Index i = 0; i < n; ++i)
       for(Eigen::Index j = 0; j < n; ++j)

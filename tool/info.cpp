@@ -16,6 +16,7 @@
 
 #include <CGAL/Area_projection_transform/projection/Grid_projector.h>
 
+#include <algorithm>
 #include <cmath>
 #include <limits>
 
@@ -25,9 +26,11 @@ namespace {
 
 using Json = nlohmann::ordered_json;
 
-std::string point_to_text(double x, double y, double z)
+// With the digits that tell it from a point which is 1/1000 of `length` away.
+std::string point_to_text(double x, double y, double z, double length)
 {
-  return "(" + to_text(x) + ", " + to_text(y) + ", " + to_text(z) + ")";
+  return "(" + coordinate_to_text(x, length) + ", " + coordinate_to_text(y, length) + ", " +
+         coordinate_to_text(z, length) + ")";
 }
 
 // -- meshes ---------------------------------------------------------------------------------------
@@ -36,8 +39,9 @@ void show_shape(const Input& input, Console& console)
 {
   const Mesh_report& report = input.report;
   const CGAL::Bbox_3& box = report.bounding_box;
-  console.row("box", point_to_text(box.xmin(), box.ymin(), box.zmin()) + " to " +
-                         point_to_text(box.xmax(), box.ymax(), box.zmax()));
+  const double length = std::max({box.x_span(), box.y_span(), box.z_span()});
+  console.row("box", point_to_text(box.xmin(), box.ymin(), box.zmin(), length) + " to " +
+                         point_to_text(box.xmax(), box.ymax(), box.zmax(), length));
   if(report.area > 0)
     console.row("area", to_text(report.area, 6));
   if(input.is_point_set)
@@ -178,7 +182,8 @@ void show_map(const std::string& file, Console& console)
                             {"voxels", grid.number_of_voxels()}};
   console.row("map", file + ": " + std::to_string(size[0]) + " x " + std::to_string(size[1]) +
                          " x " + std::to_string(size[2]) + " voxels of " + to_text(grid.spacing()));
-  console.row("origin", point_to_text(grid.origin().x(), grid.origin().y(), grid.origin().z()) +
+  console.row("origin", point_to_text(grid.origin().x(), grid.origin().y(), grid.origin().z(),
+                                      grid.spacing()) +
                             ", the centre of the first voxel");
   console.report["arrays"] = Json::array();
   for(const AP::IO::Stored_image::Array& array : image.arrays)

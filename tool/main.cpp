@@ -114,7 +114,9 @@ int run_guarded(const std::vector<std::string>& arguments)
   } catch(const Interruption& interruption) {
     return console.fail(INTERRUPTED, interruption.what());
   } catch(const std::bad_alloc&) {
-    return console.fail(UNUSABLE_INPUT, "the memory is used up: raise --voxel, or lower --threads");
+    return console.fail(
+        UNUSABLE_INPUT,
+        "the memory is used up: a coarser grid or mesh takes less, and so do fewer --threads");
   } catch(const std::exception& error) {
     if(is_lack_of_threads(error))
       return console.fail(UNUSABLE_INPUT,

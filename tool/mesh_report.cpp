@@ -44,8 +44,9 @@ void warn_of_orientation(const Mesh_report& report, std::vector<std::string>& li
   if(report.inconsistent_edges > 0)
     lines.push_back(counted(report.inconsistent_edges, "edge lies", "edges lie") +
                     "between faces that disagree about the outside: " +
-                    (report.faces_reoriented > 0 ? "the surface has no two sides; use --side both"
-                                                 : "use --orient, or --side both"));
+                    (report.faces_reoriented > 0
+                         ? "the surface has no two sides; use --side both of mapt transform"
+                         : "use --orient, or --side both of mapt transform"));
   if(report.components_found_inward > 0) {
     const std::string parts =
         report.components > 1 ? "the faces of " + std::to_string(report.components_found_inward) +

@@ -13,8 +13,6 @@
 #include <CGAL/Area_projection_transform/IO/salient_points_CSV.h>
 
 #include <algorithm>
-#include <cmath>
-#include <cstdio>
 
 namespace mapt {
 
@@ -42,10 +40,11 @@ void report_maps(const Report_results& results, Console& console)
     return;
   }
   const auto& [position, radius, value] = maxima[0];
+  const auto coordinate = [r = radius](double x) { return coordinate_to_text(x, r); };
   json["at"] = {position.x(), position.y(), position.z()};
   json["radius"] = radius;
-  console.row("maps", "largest value " + to_text(value, 3) + " at (" + to_text(position.x()) +
-                          ", " + to_text(position.y()) + ", " + to_text(position.z()) +
+  console.row("maps", "largest value " + to_text(value, 3) + " at (" + coordinate(position.x()) +
+                          ", " + coordinate(position.y()) + ", " + coordinate(position.z()) +
                           "), radius " + to_text(radius));
 }
 
@@ -94,15 +93,9 @@ void report_salient(const Salient_points& found, Console& console)
                    : shown > 0                 ? ":"
                                                : ""));
   if(shown > 0)
-    console.line("type             x           y           z      radius  intensity  sphericity");
-  for(std::size_t i = 0; i < shown; ++i) {
-    const AP::Salient_point& p = found.points[i];
-    char line[128];
-    std::snprintf(line, sizeof line, "%-6s%12.5g%12.5g%12.5g%12.4g%11.3f%12.2f",
-                  AP::IO::to_text(p.shape), p.position.x(), p.position.y(), p.position.z(),
-                  p.radius, p.intensity, p.sphericity);
-    console.line(line);
-  }
+    console.line(table_heading(true));
+  for(std::size_t i = 0; i < shown; ++i)
+    console.line(table_line(found.points[i], true));
 }
 
 } // namespace

@@ -51,38 +51,27 @@ std::string counts_to_text(const Json& counts)
   return text;
 }
 
+std::string right_aligned(const std::string& text, int width)
+{
+  return std::string(std::size_t(std::max(width - int(text.size()), 1)), ' ') + text;
+}
+
 // A number in a column, or a dash.
 std::string column(double value, int width, const char* format)
 {
   char text[48] = "-";
   if(!std::isnan(value))
     std::snprintf(text, sizeof text, format, value);
-  const std::string digits(text);
-  return std::string(std::size_t(std::max(width - int(digits.size()), 1)), ' ') + digits;
+  return right_aligned(text, width);
 }
 
-std::string columns_of_position(const AP::Point_3& p)
+// Far from the origin of their units, points need more digits than the size of the shape tells.
+std::string columns_of_position(const AP::Point_3& p, double radius)
 {
-  return column(p.x(), 12, "%.5g") + column(p.y(), 12, "%.5g") + column(p.z(), 12, "%.5g");
-}
-
-std::string line_of(const AP::Salient_point& point, bool is_fitted)
-{
-  if(!is_fitted)
-    return columns_of_position(point.position) + column(point.scale, 12, "%.4g") +
-           column(point.intensity, 11, "%.3f") + column(point.sphericity, 12, "%.2f");
-  std::string type = AP::IO::to_text(point.shape);
-  type.resize(6, ' ');
-  return type + columns_of_position(point.position) + column(point.radius, 12, "%.5g") +
-         column((point.radius_high - point.radius_low) / 2, 10, "%.2g") +
-         column(point.intensity, 11, "%.3f") + column(100 * point.observed_fraction, 10, "%.0f %%");
-}
-
-const char* heading(bool is_fitted)
-{
-  return is_fitted ? "type             x           y           z      radius        ±  intensity  "
-                     "observed"
-                   : "           x           y           z       scale  intensity  sphericity";
+  std::string columns;
+  for(const double value : {p.x(), p.y(), p.z()})
+    columns += right_aligned(coordinate_to_text(value, radius), 12);
+  return columns;
 }
 
 void show_strongest(const Salient_points& found, const Salient_options& options, Console& console)
@@ -93,9 +82,9 @@ void show_strongest(const Salient_points& found, const Salient_options& options,
                                                  std::to_string(found.points.size()) + ":"
                                            : "The strongest first:");
   const bool has_sides = options.side == "both";
-  console.line(heading(options.is_fitted()) + std::string(has_sides ? "  side" : ""));
+  console.line(table_heading(options.is_fitted()) + std::string(has_sides ? "  side" : ""));
   for(std::size_t i = 0; i < shown; ++i)
-    console.line(line_of(found.points[i], options.is_fitted()) +
+    console.line(table_line(found.points[i], options.is_fitted()) +
                  (has_sides ? std::string("  ") + AP::IO::to_text(found.sides[i]) : ""));
   if(options.is_fitted())
     console.line("The radius is within ± of the true one with a probability of 95 %, if the "
@@ -106,6 +95,26 @@ void show_strongest(const Salient_points& found, const Salient_options& options,
 }
 
 } // namespace
+
+std::string table_line(const AP::Salient_point& point, bool is_fitted)
+{
+  if(!is_fitted)
+    return columns_of_position(point.position, point.scale) + column(point.scale, 12, "%.4g") +
+           column(point.intensity, 11, "%.3f") + column(point.sphericity, 12, "%.2f");
+  std::string type = AP::IO::to_text(point.shape);
+  type.resize(6, ' ');
+  return type + columns_of_position(point.position, point.radius) +
+         column(point.radius, 12, "%.5g") +
+         column((point.radius_high - point.radius_low) / 2, 10, "%.2g") +
+         column(point.intensity, 11, "%.3f") + column(100 * point.observed_fraction, 10, "%.0f %%");
+}
+
+const char* table_heading(bool is_fitted)
+{
+  return is_fitted ? "type             x           y           z      radius        ±  intensity  "
+                     "observed"
+                   : "           x           y           z       scale  intensity  sphericity";
+}
 
 Json to_json(const Salient_points& found)
 {

@@ -16,6 +16,12 @@ namespace mapt {
 /// tells what was asked for.
 void report_parameters(const Salient_options& options, Console& console);
 
+/// the heading of a table of points, fitted or as the paper finds them.
+const char* table_heading(bool is_fitted);
+
+/// the line of a point in such a table.
+std::string table_line(const CGAL::Area_projection::Salient_point& point, bool is_fitted);
+
 /// all columns of each point. A number that is unknown becomes null.
 nlohmann::ordered_json to_json(const Salient_points& found);
 

@@ -44,6 +44,13 @@ std::string to_text(double value, int digits)
   return text.str();
 }
 
+std::string coordinate_to_text(double value, double length)
+{
+  const double steps = 1000 * std::abs(value / length);
+  const bool is_known = steps >= 1 && std::isfinite(steps);
+  return to_text(value, is_known ? std::clamp(int(std::log10(steps)) + 2, 5, 17) : 5);
+}
+
 std::string bytes_to_text(double bytes)
 {
   const char* const units[] = {"bytes", "kB", "MB", "GB", "TB", "PB", "EB"};

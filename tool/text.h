@@ -15,6 +15,9 @@ namespace mapt {
 /// a number for a reader: up to `digits` significant digits.
 std::string to_text(double value, int digits = 4);
 
+/// a coordinate for a reader: with as many digits as tell it from one that is `length / 1000` away, and 5 at least.
+std::string coordinate_to_text(double value, double length);
+
 /// "1.2 MB", with units of 1000.
 std::string bytes_to_text(double bytes);
 

@@ -48,7 +48,7 @@ void check_memory(const Frame& frame, double bytes, const Transform_options& opt
     dimensions += (dimensions.empty() ? "" : " x ") + to_text(size, 9);
   throw Input_error(options.mesh + ": " + dimensions + " voxels need " + bytes_to_text(bytes) +
                     "; raise --voxel or --max-memory (" + bytes_to_text(options.common.max_memory) +
-                    ")");
+                    "); report: lower --resolution");
 }
 
 // What it takes to find the region, and the region itself. Along each axis the lines of the grid go

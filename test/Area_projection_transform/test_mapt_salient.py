@@ -144,6 +144,16 @@ class Salient(Test):
         self.assertAlmostEqual(float(row["intensity"]), 0.55, delta=0.55 / 8)
         self.assertAlmostEqual(float(row["scale"]), 0.851 * 0.5, delta=0.1 * 0.5)
 
+    def test_table_far_from_the_origin(self):
+        # Coordinates as surveyors have them: the table tells places up to a thousandth of the radius.
+        centre = (400_000.25, -5_200_000.5, 12.125)
+        mesh = self.mesh("far.off", icosphere(3, 1, centre))
+        table = self.succeed("salient", mesh, "-o", self.path / "points.csv").stdout
+        lines = [line.split() for line in table.splitlines() if line.startswith("sphere")]
+        self.assertEqual(len(lines), 1)
+        for told, truth in zip(lines[0][1:4], centre):
+            self.assertAlmostEqual(float(told), truth, delta=1e-3)
+
     def test_both_in_one_mesh(self):
         mesh = self.mesh("both.off", union(icosphere(3, 1, (5, 0, 0)), tube(0.4, 5)))
         rows = self.rows(mesh)

@@ -7,7 +7,7 @@
 // The transform on grids: against the evaluators, which know nothing of grids, and against what must
 // be conserved.
 
-#include "shapes.h"
+#include "values_at_voxels.h"
 
 #include <CGAL/Area_projection_transform/projection/Exact_evaluator.h>
 #include <CGAL/Area_projection_transform/projection/Exact_grid_projector.h>
@@ -25,18 +25,6 @@ using AP::Side;
 using AP::Vector_3;
 using shapes::pi;
 using shapes::Soup;
-
-/// the values of an evaluator at the centres of the voxels of interest, at their places.
-template <class Evaluator>
-std::vector<double> at_voxels(const Evaluator& evaluator, const AP::Row_spans& region, double sigma,
-                              const std::vector<AP::Nested_ball>& kernel)
-{
-  std::vector<double> values(region.storage_size());
-  shapes::for_each_voxel(region, [&](const Point_3& x, std::size_t place) {
-    values[place] = evaluator(x, sigma, kernel);
-  });
-  return values;
-}
 
 // ---------------------------------------------------------------- grid and k-d tree
 
@@ -62,7 +50,7 @@ void expect_grid_equals_kd_tree(const Soup& soup, const AP::Scale& scale, double
   const double rounding = double(tree.number_of_surfels() * kernel.size()) * 0x1p-29;
   const double rim = 3e-5 * scale.sigma + 2e-6 * voxel;
 
-  const std::vector<double> at_points = at_voxels(tree, region, scale.sigma, kernel);
+  const std::vector<double> at_points = shapes::values_at_voxels(tree, region, scale.sigma, kernel);
   shapes::for_each_voxel(region, [&](const Point_3& x, std::size_t place) {
     double surely_in = 0, possibly_in = 0;
     for(const AP::Nested_ball& ball : kernel) {
@@ -152,248 +140,6 @@ INSTANTIATE_TEST_SUITE_P(All, Of_bundled_mesh,
                          [](const auto& mesh) {
                            return mesh.param.substr(0, mesh.param.find('.'));
                          });
-
-/// \brief expects the exact grid to hold at each voxel what the evaluator finds at its centre, with the
-/// same bits for every instruction set.
-///
-/// Each contribution of a triangle is rounded to the nearest multiple of at most 2^-29 of all area, by
-/// at most half of that, and the sum to a float. Besides, a contribution errs by some 1e-7 of σ times the
-/// longest edge: relative to the triangle, by as much as it is smaller than the ball.
-void expect_grid_equals_evaluator(const Soup& soup, const AP::Row_spans& region,
-                                  const AP::Scale& scale, Side side,
-                                  const std::vector<AP::Nested_ball>& kernel, double relative)
-{
-  const auto surface = shapes::scale_space_of(soup);
-  const auto map = [&] {
-    return shapes::areas_on_grid(AP::Exact_grid_projector(region, kernel), surface, region, scale,
-                                 side);
-  };
-  const auto on_grid = map();
-  for(const auto set : AP::internal::available_instruction_sets()) {
-    AP::internal::chosen_instruction_set() = set;
-    EXPECT_EQ(map(), on_grid) << AP::internal::name(set);
-  }
-  const AP::Exact_evaluator evaluator(surface, scale.radius, side);
-  const auto at_points = at_voxels(evaluator, region, scale.sigma, kernel);
-  const double rounding =
-      0.5 * double(soup.triangles.size() * kernel.size()) * 0x1p-29 * soup.area();
-  double largest = 0, squares = 0;
-  for(const double value : at_points) {
-    largest = std::max(largest, value);
-    squares += value * value;
-  }
-  for(std::size_t place = 0; place < at_points.size(); ++place)
-    ASSERT_NEAR(on_grid[place], at_points[place], rounding + relative * largest);
-  const double rms = std::sqrt(squares / double(at_points.size()));
-  EXPECT_LT(shapes::relative_rms(on_grid, at_points), relative + rounding / rms);
-}
-
-// Three points that are on a line but for the rounding of one: on a lattice of 0.08 the edges were parallel, and nothing
-// was a number. What little area there is may go to any voxel.
-TEST(Exact_grid_projector, a_needle_of_no_width_does_no_harm)
-{
-  const Soup needle{{{-0.19487034147299256, 0.38974068294598513, 0.65915257507642799},
-                     {0.097435170736496282, 0.29230551220948886, 0.65915257507642799},
-                     {0.38974068294598513, 0.19487034147299256, 0.65915257507642799}},
-                    {{0, 1, 2}}};
-  const Soup soup = shapes::joined(shapes::icosphere(1), needle);
-  const auto alone = shapes::scale_space_of(shapes::icosphere(1));
-  const auto both = shapes::scale_space_of(soup);
-  ASSERT_EQ(both.source().size(), alone.source().size() + 1);
-  const AP::Row_spans region(AP::grid_around(both.bbox(), 0.08));
-  const AP::Scale scale{0.5, 0.16};
-  EXPECT_EQ(shapes::areas_on_grid(AP::Exact_grid_projector(region), both, region, scale),
-            shapes::areas_on_grid(AP::Exact_grid_projector(region), alone, region, scale));
-}
-
-TEST(Exact_grid_projector, equals_the_exact_evaluator_at_every_voxel)
-{
-  const Soup blob = shapes::blob(3, 22);
-  const AP::Row_spans region(AP::grid_around(shapes::surface_of(blob).bbox(), 0.13));
-  for(const auto& kernel :
-      {AP::Ball_kernel_3().nested_balls(), AP::Epanechnikov_kernel_3{3}.nested_balls()})
-    for(const Side side : {Side::INSIDE, Side::OUTSIDE})
-      for(const AP::Scale& scale : {AP::Scale{0.1, 0.03}, AP::Scale{0.3, 0.2}, AP::Scale{0.9, 0.5}})
-        expect_grid_equals_evaluator(blob, region, scale, side, kernel, 1e-6);
-}
-
-// Faces of many voxels and of many σ are cut into tiles; corners and edges of a box land on voxels.
-TEST(Exact_grid_projector, equals_the_exact_evaluator_for_faces_of_any_size)
-{
-  const auto ball = AP::Ball_kernel_3().nested_balls();
-  const Soup box = shapes::box(Point_3(0, 0, 0), Point_3(9, 5, 4));
-  const AP::Row_spans around(AP::Grid_3(Point_3(-0.5, -0.5, -0.5), 0.125, {81, 49, 41}));
-  for(const double sigma : {0.05, 0.25, 1., 6.})
-    expect_grid_equals_evaluator(box, around, {0.5, sigma}, Side::INSIDE, ball, 2e-6);
-
-  const shapes::Rotation rotation{Vector_3(2. / 3, 1. / 3, 2. / 3), 1};
-  const Soup plane = shapes::moved(shapes::plane_patch(30, 0, 1), rotation);
-  const AP::Row_spans beside(AP::Grid_3(Point_3(-7, -8, -9), 0.25, {60, 70, 61}));
-  for(const double sigma : {0.3, 2.})
-    expect_grid_equals_evaluator(plane, beside, {1, sigma}, Side::OUTSIDE, ball, 2e-6);
-
-  const Soup sphere = shapes::icosphere(5); // faces 40 times smaller than the ball
-  const AP::Row_spans within(AP::Grid_3(Point_3(-0.7, -0.7, -0.7), 0.2, {8, 8, 8}));
-  expect_grid_equals_evaluator(sphere, within, {0.6, 1.3}, Side::INSIDE, ball, 1e-6);
-}
-
-// Strips 500 times as long as wide, and the fans of the lids.
-TEST(Exact_grid_projector, equals_the_exact_evaluator_for_slivers)
-{
-  const Soup cylinder = shapes::cylinder(1500, 0.5, 2, true, 1);
-  const AP::Row_spans region(AP::grid_around(shapes::surface_of(cylinder).bbox(), 0.1));
-  for(const double sigma : {0.06, 0.2, 0.4})
-    expect_grid_equals_evaluator(cylinder, region, {0.35, sigma}, Side::INSIDE,
-                                 AP::Ball_kernel_3().nested_balls(), 1e-5);
-}
-
-TEST(Exact_grid_projector, a_region_holds_the_same_values_as_the_whole_grid)
-{
-  const auto surface = shapes::scale_space_of(shapes::blob(3, 27));
-  const AP::Grid_3 grid = AP::grid_around(surface.bbox(), 0.04);
-  const AP::Row_spans everything(grid), inside = AP::interior(surface.source(), grid).region;
-  for(const AP::Scale& scale : {AP::Scale{0.1, 0.05}, AP::Scale{0.5, 0.25}, AP::Scale{0.8, 0.7}}) {
-    const auto all =
-        shapes::areas_on_grid(AP::Exact_grid_projector(everything), surface, everything, scale);
-    const auto some =
-        shapes::areas_on_grid(AP::Exact_grid_projector(inside), surface, inside, scale);
-    for(int k = 0; k < grid.size()[2]; ++k)
-      for(int j = 0; j < grid.size()[1]; ++j)
-        for(int i = 0; i < grid.size()[0]; ++i)
-          if(inside.contains(i, j, k)) {
-            ASSERT_EQ(some[inside.index(i, j, k)], all[everything.index(i, j, k)]);
-          }
-  }
-}
-
-// ---------------------------------------------------------------- what is conserved
-
-TEST(Conservation, projected_areas_sum_to_the_area_at_any_spacing)
-{
-  for(const Soup& soup : {shapes::blob(3, 23), shapes::cylinder(30, 0.5, 2, false),
-                          shapes::box(Point_3(0, 0, 0), Point_3(1, 2, 3))}) {
-    const auto surface = shapes::scale_space_of(soup);
-    EXPECT_NEAR(surface.area(1) / soup.area(), 1, 1e-12);
-    for(const double radius : {0.1, 1., 10.})
-      for(const double spacing : {0.02, 0.1, 1., 100.}) {
-        double sum = 0;
-        surface.project(radius, Side::INSIDE, spacing, [&](const AP::Projected_surfels& batch) {
-          for(const double area : batch.areas)
-            sum += area;
-        });
-        EXPECT_NEAR(sum / soup.area(), 1, 1e-12) << radius << ' ' << spacing;
-      }
-  }
-}
-
-// Merging and dividing keep the mean of the parallel surface: area by area, centroid ± R normal.
-TEST(Conservation, the_mean_of_the_projected_surface_is_kept_at_any_spacing)
-{
-  const Soup blob = shapes::blob(3, 24);
-  const auto surface = shapes::scale_space_of(blob);
-  for(const Side side : {Side::INSIDE, Side::OUTSIDE})
-    for(const double radius : {0.1, 0.9, 10.}) {
-      const double distance = side == Side::INSIDE ? -radius : radius;
-      Vector_3 expected(0, 0, 0);
-      for(const shapes::Triangle& t : blob.triangles) {
-        const Point_3 &p = blob.points[t[0]], &q = blob.points[t[1]], &r = blob.points[t[2]];
-        expected = expected + std::sqrt(CGAL::squared_area(p, q, r)) *
-                                  (CGAL::centroid(p, q, r) - CGAL::ORIGIN +
-                                   distance * CGAL::unit_normal(p, q, r));
-      }
-      for(const double spacing : {0.02, 0.1, 1., 100.}) {
-        Vector_3 sum(0, 0, 0);
-        surface.project(radius, side, spacing, [&](const AP::Projected_surfels& batch) {
-          for(std::size_t i = 0; i < batch.size(); ++i)
-            sum = sum + batch.areas[i] * (batch.positions[i] - CGAL::ORIGIN);
-        });
-        EXPECT_NEAR(std::sqrt((sum - expected).squared_length()), 0, 1e-11 * (1 + radius));
-      }
-    }
-}
-
-// "No surfel stands for more than a square of the spacing does": the number of surfels of a flat
-// patch is about its area over the squared spacing, however fine or coarse the mesh is.
-TEST(Conservation, the_number_of_surfels_follows_the_spacing_and_not_the_mesh)
-{
-  for(const int n : {1, 10, 200}) {
-    const auto surface = shapes::scale_space_of(shapes::plane_patch(1, 0, n));
-    const AP::Kd_tree_evaluator tree(surface, 1, Side::INSIDE, 0.05);
-    EXPECT_GT(tree.number_of_surfels(), 400 / 4) << n;
-    EXPECT_LT(tree.number_of_surfels(), 400 * 4) << n;
-  }
-  const auto sphere = shapes::scale_space_of(shapes::icosphere(4));
-  EXPECT_EQ(AP::Kd_tree_evaluator(sphere, 1, Side::INSIDE, 0.2).number_of_surfels(), 1u);
-}
-
-/// the sums of the map and of the map times the position, times the volume of a voxel.
-std::pair<double, Vector_3> integral(const std::vector<float>& areas, const AP::Row_spans& region)
-{
-  double sum = 0;
-  Vector_3 moment(0, 0, 0);
-  shapes::for_each_voxel(region, [&](const Point_3& x, std::size_t place) {
-    sum += areas[place];
-    moment = moment + double(areas[place]) * (x - CGAL::ORIGIN);
-  });
-  const double volume = std::pow(region.grid().spacing(), 3);
-  return {volume * sum, volume * moment};
-}
-
-// Each surfel adds its area once for each lattice point in its ball, whose number is that of voxels
-// in the ball's volume on average over the places of the ball between the voxels. For one place it
-// varies by about the root of the number of voxels at the surface, for which 4ρ is plenty for a
-// radius of ρ voxels; for n surfels at different places by 4ρ/sqrt(n). The share of a piece is right to
-// third order of its size over σ: a thousandth by default, far less for the small pieces here.
-TEST(Conservation, the_integral_of_a_map_is_the_area_times_the_volume_of_the_ball)
-{
-  const Soup blob = shapes::blob(4, 25);
-  const auto surface = shapes::scale_space_of(blob);
-  const double voxel = 0.05;
-  for(const AP::Scale& scale : {AP::Scale{0.2, 0.1}, AP::Scale{0.5, 0.25}, AP::Scale{0.3, 0.31}})
-    for(const Side side : {Side::INSIDE, Side::OUTSIDE}) {
-      const AP::Row_spans region(
-          AP::grid_around(surface.bbox(), voxel, scale.radius + scale.sigma + voxel));
-      const double rho = scale.sigma / voxel, ball = 4 * pi / 3 * std::pow(scale.sigma, 3);
-      const double surfels =
-          double(AP::Kd_tree_evaluator(surface, scale.radius, side, 0.2 * scale.sigma)
-                     .number_of_surfels());
-      const double tolerance = 4 * rho / std::sqrt(surfels) / (4 * pi / 3 * rho * rho * rho);
-
-      const auto kernel = AP::Ball_kernel_3().nested_balls();
-      AP::Grid_projector projector(region, kernel, 0.2);
-      EXPECT_EQ(projector.project(surface, scale, side, shapes::Never()), 0); // nothing outside
-      const auto areas = shapes::areas_on_grid(AP::Grid_projector(region, kernel, 0.2), surface,
-                                               region, scale, side);
-      const auto [sum, moment] = integral(areas, region);
-      EXPECT_LT(tolerance, 0.02);
-      EXPECT_NEAR(sum / (blob.area() * ball), 1, tolerance);
-
-      Vector_3 expected(0, 0, 0);
-      surface.project(scale.radius, side, 0.1, [&](const AP::Projected_surfels& batch) {
-        for(std::size_t i = 0; i < batch.size(); ++i)
-          expected = expected + batch.areas[i] * (batch.positions[i] - CGAL::ORIGIN);
-      });
-      const Vector_3 shift = moment / sum - expected / blob.area();
-      EXPECT_LT(std::sqrt(shift.squared_length()), tolerance);
-    }
-}
-
-// Of two spheres, one lands in the grid and one beside it.
-TEST(Conservation, the_area_that_lands_outside_of_the_grid_is_told)
-{
-  const Soup near = shapes::icosphere(3), far = shapes::icosphere(3, Point_3(10, 0, 0), 1);
-  const auto surface = shapes::scale_space_of(shapes::joined(near, far));
-  const AP::Row_spans region(AP::grid_around(shapes::surface_of(near).bbox(), 0.1));
-  const AP::Scale scale{0.5, 0.25};
-  EXPECT_NEAR(AP::Grid_projector(region).project(surface, scale, Side::INSIDE, shapes::Never()),
-              far.area(), 1e-12 * far.area());
-  EXPECT_NEAR(
-      AP::Exact_grid_projector(region).project(surface, scale, Side::INSIDE, shapes::Never()),
-      far.area(), 1e-12 * far.area());
-  EXPECT_NEAR(
-      AP::Paper_grid_projector(region).project(surface, scale, Side::INSIDE, shapes::Never()),
-      far.area(), 1e-12 * far.area());
-}
 
 // Surfels that land beside the grid still count where their balls reach into it.
 TEST(Grid_projector, a_part_of_a_grid_holds_the_same_values_as_the_whole)

@@ -160,8 +160,95 @@ inline std::vector<std::size_t> order_of_work(const std::vector<Scale>& scales)
   return order;
 }
 
-/// \brief computes the scales over the parts of a region. A worker stays with a part, and takes the next
-/// scale that nobody has begun there.
+/// \brief computes the scales over the parts of a region, by any number of workers.
+///
+/// A worker stays with a part, and takes the next scale that nobody has begun there.
+template <class ScaleSpace, class MakeProjector, class Sink, class Visitor>
+class Multiscale_work
+{
+public:
+  Multiscale_work(const ScaleSpace& surface, const Row_spans& region, const Region_parts& parts,
+                  const std::vector<Scale>& scales, Side side, MakeProjector& make_projector,
+                  Sink& sink, const std::function<bool(double)>& callback, Visitor& visitor)
+      : m_surface(surface)
+      , m_region(region)
+      , m_parts(parts)
+      , m_scales(scales)
+      , m_side(side)
+      , m_make_projector(make_projector)
+      , m_sink(sink)
+      , m_progress(scales.size(), parts.size(), callback, visitor)
+      , m_order(order_of_work(scales))
+      , m_next(parts.size())
+      , m_layers(std::size_t(region.grid().size()[2]))
+      , m_locks_of_scales(parts.size() > 1 ? scales.size() : 0)
+  {
+    m_summary.areas_outside.assign(scales.size(), 0.);
+  }
+
+  template <class ConcurrencyTag>
+  Multiscale_summary run()
+  {
+    run_workers<ConcurrencyTag>(m_scales.size() * m_parts.size(),
+                                [this](std::size_t worker, std::size_t workers) {
+                                  try {
+                                    work(worker, workers);
+                                  } catch(...) {
+                                    m_progress.cancel(); // the other threads would go on in vain
+                                    throw;
+                                  }
+                                });
+    m_summary.is_complete = !m_progress.was_cancelled();
+    return m_summary;
+  }
+
+private:
+  void work(std::size_t worker, std::size_t workers)
+  {
+    for(std::size_t p = worker % m_parts.size(); p < m_parts.size(); p += workers) {
+      const Region_part& part = m_parts[p];
+      auto&& projector = make_projector_for(m_make_projector, *part.region);
+      // Workers begin at different layers, so that they seldom wait for each other.
+      const std::size_t start = worker * std::size_t(part.last_layer - part.first_layer) / workers;
+      for(std::size_t i = m_next[p]++; i < m_order.size() && !m_progress.is_cancelled();
+          i = m_next[p]++)
+        compute(projector, part, m_order[i], start);
+    }
+  }
+
+  template <class Projector>
+  void compute(Projector& projector, const Region_part& part, std::size_t index, std::size_t start)
+  {
+    const auto cancelled = [this] { return m_progress.is_cancelled(); };
+    const Scale& scale = m_scales[index];
+    m_progress.part_begins(index, scale);
+    const double area_outside =
+        project_part(projector, m_surface, part, m_parts.size() == 1, scale, m_side, cancelled);
+    if(part.is_first)
+      m_summary.areas_outside[index] = area_outside;
+    m_progress.step();
+    deliver(projector, m_region, part, index, scale, start, m_layers,
+            m_locks_of_scales.empty() ? nullptr : &m_locks_of_scales[index], m_sink, cancelled);
+    if(!m_progress.was_cancelled())
+      m_progress.part_ends(index, scale, m_summary.areas_outside[index]);
+    m_progress.step();
+  }
+
+  const ScaleSpace& m_surface;
+  const Row_spans& m_region;
+  const Region_parts& m_parts;
+  const std::vector<Scale>& m_scales;
+  Side m_side;
+  MakeProjector& m_make_projector;
+  Sink& m_sink;
+  Progress<Visitor> m_progress;
+  std::vector<std::size_t> m_order;
+  std::vector<std::atomic<std::size_t>> m_next; ///< in the order of work, of each part
+  std::vector<std::mutex> m_layers, m_locks_of_scales;
+  Multiscale_summary m_summary;
+};
+
+/// computes the scales over the parts of a region.
 template <class ConcurrencyTag, class ScaleSpace, class MakeProjector, class Sink,
           class NamedParameters>
 Multiscale_summary project_scales(const ScaleSpace& surface, const Row_spans& region,
@@ -171,55 +258,15 @@ Multiscale_summary project_scales(const ScaleSpace& surface, const Row_spans& re
 {
   using CGAL::parameters::choose_parameter;
   using CGAL::parameters::get_parameter;
+  check_scales(scales);
   auto given_visitor =
       choose_parameter(get_parameter(np, internal_np::visitor), Multiscale_default_visitor());
   // A reference wrapper becomes a reference to the visitor of the user.
-  auto& visitor = unwrap(given_visitor);
-  Progress<std::remove_reference_t<decltype(visitor)>> progress(
-      scales.size(), parts.size(),
+  Multiscale_work work(
+      surface, region, parts, scales, side, make_projector, sink,
       choose_parameter(get_parameter(np, internal_np::callback), std::function<bool(double)>()),
-      visitor);
-  const auto cancelled = [&progress] { return progress.is_cancelled(); };
-
-  check_scales(scales);
-  const std::vector<std::size_t> order = order_of_work(scales);
-  Multiscale_summary summary;
-  summary.areas_outside.assign(scales.size(), 0.);
-  std::vector<std::mutex> layers(std::size_t(region.grid().size()[2]));
-  std::vector<std::mutex> locks_of_scales(parts.size() > 1 ? scales.size() : 0);
-  std::vector<std::atomic<std::size_t>> next(parts.size());
-
-  const auto compute_part = [&](std::size_t p, std::size_t worker, std::size_t workers) {
-    const Region_part& part = parts[p];
-    auto&& projector = make_projector_for(make_projector, *part.region);
-    const std::size_t start = worker * std::size_t(part.last_layer - part.first_layer) / workers;
-    for(std::size_t i = next[p]++; i < order.size() && !cancelled(); i = next[p]++) {
-      const std::size_t index = order[i];
-      progress.part_begins(index, scales[index]);
-      const double area_outside =
-          project_part(projector, surface, part, parts.size() == 1, scales[index], side, cancelled);
-      if(part.is_first)
-        summary.areas_outside[index] = area_outside;
-      progress.step();
-      deliver(projector, region, part, index, scales[index], start, layers,
-              locks_of_scales.empty() ? nullptr : &locks_of_scales[index], sink, cancelled);
-      if(!progress.was_cancelled())
-        progress.part_ends(index, scales[index], summary.areas_outside[index]);
-      progress.step();
-    }
-  };
-  run_workers<ConcurrencyTag>(
-      scales.size() * parts.size(), [&](std::size_t worker, std::size_t workers) {
-        try {
-          for(std::size_t p = worker % parts.size(); p < parts.size(); p += workers)
-            compute_part(p, worker, workers);
-        } catch(...) {
-          progress.cancel(); // so that the other threads do not go on in vain
-          throw;
-        }
-      });
-  summary.is_complete = !progress.was_cancelled();
-  return summary;
+      unwrap(given_visitor));
+  return work.template run<ConcurrencyTag>();
 }
 
 } // namespace internal

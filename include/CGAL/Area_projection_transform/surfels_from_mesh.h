@@ -110,6 +110,29 @@ double given_area(const FaceAreaMap& map, const Face& face, std::size_t index)
   }
 }
 
+/// the three vertices of a face of a mesh, by their positions in it.
+template <class TriangleMesh, class IndexOfVertex>
+Triangle_surface::Triangle corners_of_face(
+    const TriangleMesh& mesh, typename boost::graph_traits<TriangleMesh>::face_descriptor face,
+    std::size_t position, const IndexOfVertex& index_of, const std::vector<Point_3>& points)
+{
+  Triangle_surface::Triangle triangle{};
+  std::size_t degree = 0;
+  for(const auto v : vertices_around_face(halfedge(face, mesh), mesh)) {
+    const std::uint32_t index = index_of.at(v);
+    check_finite(points[index], index);
+    if(degree < 3)
+      triangle[degree] = index;
+    ++degree;
+  }
+  if(degree != 3)
+    throw std::invalid_argument("face " + std::to_string(position) + " has " +
+                                std::to_string(degree) +
+                                " vertices: must be a triangle (see "
+                                "CGAL::Polygon_mesh_processing::triangulate_faces())");
+  return triangle;
+}
+
 } // namespace internal
 /// \endcond
 
@@ -198,20 +221,8 @@ Triangle_surface surface_from_mesh(const TriangleMesh& mesh,
 
   std::size_t source = 0;
   for(Face f : faces(mesh)) {
-    Triangle_surface::Triangle triangle{};
-    std::size_t degree = 0;
-    for(Vertex v : vertices_around_face(halfedge(f, mesh), mesh)) {
-      const std::uint32_t index = index_of.at(v);
-      internal::check_finite(surface.points[index], index);
-      if(degree < 3)
-        triangle[degree] = index;
-      ++degree;
-    }
-    if(degree != 3)
-      throw std::invalid_argument("face " + std::to_string(source) + " has " +
-                                  std::to_string(degree) +
-                                  " vertices: must be a triangle (see "
-                                  "CGAL::Polygon_mesh_processing::triangulate_faces())");
+    const Triangle_surface::Triangle triangle =
+        internal::corners_of_face(mesh, f, source, index_of, surface.points);
     const double area = internal::given_area(areas, f, source);
     if constexpr(has_face_normals) {
       const Vector_3 normal =

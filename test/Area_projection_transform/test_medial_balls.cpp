@@ -277,22 +277,20 @@ TEST(Medial_balls, follow_the_surface)
       surface_of(moved(soup, [&](const Point_3& p) { return turn(p) + shift; })));
   ASSERT_EQ(balls.size(), larger.size());
   ASSERT_EQ(balls.size(), turned.size());
-  std::vector<double> moved_by, weights;
   for(std::size_t i = 0; i < balls.size(); ++i) {
     EXPECT_NEAR(larger[i].radius, 4 * balls[i].radius, 1e-9);
     EXPECT_NEAR(larger[i].mapt, balls[i].mapt, 1e-9);
     EXPECT_NEAR(larger[i].spread, 4 * balls[i].spread, 1e-9);
     EXPECT_NEAR(larger[i].lambda, 4 * balls[i].lambda, 1e-6);
     EXPECT_NEAR(larger[i].angle, balls[i].angle, 1e-6);
-    moved_by.push_back(length(turned[i].center - (turn(balls[i].center) + shift)) /
-                       balls[i].radius);
-    weights.push_back(std::abs(turned[i].mapt - balls[i].mapt));
+    // Coordinates around 30 are rounded to 4e-15, what is computed of them grows that by the inverse of angles.
+    EXPECT_LT(length(turned[i].center - (turn(balls[i].center) + shift)), 1e-9);
+    EXPECT_LT(length(turned[i].refitted_center - (turn(balls[i].refitted_center) + shift)), 1e-9);
+    EXPECT_NEAR(turned[i].mapt, balls[i].mapt, 1e-9);
+    EXPECT_NEAR(turned[i].spread, balls[i].spread, 1e-9);
+    EXPECT_NEAR(turned[i].lambda, balls[i].lambda, 1e-6);
+    EXPECT_NEAR(turned[i].angle, balls[i].angle, 1e-6);
   }
-  // Another direction, other samples that are left out; and a ball that moves by a part of σ trades about twice that
-  // part of its voters.
-  EXPECT_LT(quantile(moved_by, 0.9), 0.05);
-  EXPECT_LT(quantile(weights, 0.5), 0.02);
-  EXPECT_LT(quantile(weights, 0.9), 2 * 0.05 / 0.5);
 }
 
 TEST(Medial_balls, are_the_same_for_any_number_of_threads_and_any_kind_of_mesh)

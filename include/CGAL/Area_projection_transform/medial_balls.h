@@ -105,7 +105,8 @@ std::vector<Medial_ball> medial_balls_of(const Medial_samples& samples,
 /// axis.
 ///
 /// For each sample of the surface, in their order, the largest ball that touches there and has no other sample inside; none
-/// where it is larger than half of the diagonal of the bounding box, as it is outside of convex parts. The centres
+/// where it is larger than all of the surface (1.2 times the largest distance from its centroid), as it is outside of
+/// convex parts. The centres
 /// sample the medial axis, including all that small bumps and noise add to it: what is kept of it is up to
 /// `select_by_weight()`, `select_strongest()`, `select_covering()`.
 ///

@@ -156,10 +156,12 @@ inline Ball_weigher::Contacts Ball_weigher::contacts(const Ball& ball, const Vec
   constexpr double tolerance = 0.01, spacing = 0.16;
   constexpr std::size_t most = 100;
   const Thinned_samples::Level& level = m_samples.at(spacing * ball.radius);
-  std::vector<Vector> contacts;
-  level.cells.for_each_in_ball(
-      ball.center, (1 + tolerance) * ball.radius,
-      [&](std::size_t i, double) { contacts.push_back(level.positions[i]); });
+  std::vector<std::size_t> contacts;
+  level.cells.for_each_in_ball(ball.center, (1 + tolerance) * ball.radius,
+                               [&contacts](std::size_t i, double) { contacts.push_back(i); });
+  // The order of the cells depends on the axes, and some of many are taken.
+  if(contacts.size() > most)
+    std::sort(contacts.begin(), contacts.end());
   const Vector direction = (first - ball.center).normalized();
   const auto cosine = [&](const Vector& q) {
     return direction.dot((q - ball.center).normalized());
@@ -168,9 +170,10 @@ inline Ball_weigher::Contacts Ball_weigher::contacts(const Ball& ball, const Vec
   std::vector<Point_3> points{Point_3(first.x(), first.y(), first.z()),
                               Point_3(second.x(), second.y(), second.z())};
   for(std::size_t i = 0; i < contacts.size(); ++i) {
-    least_cosine = std::min(least_cosine, cosine(contacts[i]));
+    const Vector& contact = level.positions[contacts[i]];
+    least_cosine = std::min(least_cosine, cosine(contact));
     if(i % (1 + contacts.size() / most) == 0)
-      points.emplace_back(contacts[i].x(), contacts[i].y(), contacts[i].z());
+      points.emplace_back(contact.x(), contact.y(), contact.z());
   }
   using Traits = Min_sphere_of_points_d_traits_3<Kernel, double>;
   Min_sphere_of_spheres_d<Traits> smallest(points.begin(), points.end());

@@ -43,17 +43,23 @@ struct Medial_samples
 
   std::size_t size() const { return positions.size(); }
 
-  /// half of the diagonal of the bounding box: no ball within the surface is larger.
+  /// \brief 1.2 times the largest distance of a sample from the centroid: no ball within the surface is larger.
+  ///
+  /// One that fits into the surface is no larger than the smallest ball around it. The rest is for what normals err.
   double largest_radius() const
   {
-    if(positions.empty())
-      return 0;
-    Vector low = positions.front(), high = low;
-    for(const Vector& p : positions) {
-      low = low.cwiseMin(p);
-      high = high.cwiseMax(p);
+    double area = 0, largest = 0;
+    Vector centroid = Vector::Zero();
+    for(std::size_t i = 0; i < size(); ++i) {
+      area += areas[i];
+      centroid += areas[i] * (positions[i] - positions.front());
     }
-    return 0.5 * (high - low).norm();
+    if(!(area > 0))
+      return 0;
+    centroid = positions.front() + centroid / area;
+    for(const Vector& p : positions)
+      largest = std::max(largest, (p - centroid).norm());
+    return 1.2 * largest;
   }
 
 private:

@@ -7,13 +7,8 @@
 #ifndef CGAL_AREA_PROJECTION_TRANSFORM_MEDIAL_BALLS_THINNED_SAMPLES_H
 #define CGAL_AREA_PROJECTION_TRANSFORM_MEDIAL_BALLS_THINNED_SAMPLES_H
 
-#include <CGAL/Area_projection_transform/Kernel.h>
 #include <CGAL/Area_projection_transform/internal/Cell_list.h>
 #include <CGAL/Area_projection_transform/medial_balls/Medial_samples.h>
-
-#include <CGAL/Spatial_sort_traits_adapter_3.h>
-#include <CGAL/hilbert_sort.h>
-#include <CGAL/property_map.h>
 
 #include <Eigen/Core>
 
@@ -21,6 +16,7 @@
 #include <cmath>
 #include <cstddef>
 #include <cstdint>
+#include <limits>
 #include <memory>
 #include <numeric>
 #include <vector>
@@ -32,8 +28,9 @@ namespace internal {
 /// \brief the samples of a surface at several densities, so that large balls need not look at all of them: in the middle
 /// of a sphere or a tube every ball sees much of the surface.
 ///
-/// Thinned samples are taken at equal steps of area along a curve that fills space (Hilbert's): each stands for its step,
-/// and sums over them have an error at the rim only. The finest level has all.
+/// The finest level has all. Of each level the next one keeps samples, in their order, that are apart; what is dropped gives
+/// its area to the nearest one that is kept and faces the same way. Only distances and the order of the
+/// samples matter, so that the levels of a shape that is turned are those of the shape, turned.
 class Thinned_samples
 {
 public:
@@ -55,10 +52,9 @@ public:
     if(!(area > 0))
       return;
     m_spacing = finest_spacing(samples, area);
-    const std::vector<std::size_t> order = along_a_curve(samples);
     add_all(samples);
     for(double s = ratio * m_spacing; area / (s * s) > fewest_samples; s *= ratio)
-      add_level(samples, order, s);
+      add_level(s);
   }
 
   bool empty() const { return m_levels.empty(); }
@@ -84,6 +80,9 @@ private:
   static constexpr double ratio = 1.4142135623730951;
   static constexpr double cell_size = 5; // in units of the spacing
   static constexpr double fewest_samples = 50;
+  static constexpr double apart =
+      0.76; ///< in units of the spacing, the root of the area that each stands for
+  static constexpr double least_cosine = 0.5;
 
   /// the root of the area of a small sample, since cells that suit large ones would be crowded by the small ones.
   static double finest_spacing(const Medial_samples& samples, double area)
@@ -94,52 +93,60 @@ private:
     return std::sqrt(std::max(*tenth, 4e-4 * area / double(areas.size())));
   }
 
-  static std::vector<std::size_t> along_a_curve(const Medial_samples& samples)
-  {
-    std::vector<Point_3> points;
-    for(const Vector& p : samples.positions)
-      points.emplace_back(p.x(), p.y(), p.z());
-    using Map = typename Pointer_property_map<Point_3>::const_type;
-    std::vector<std::size_t> order(points.size());
-    std::iota(order.begin(), order.end(), std::size_t(0));
-    hilbert_sort(
-        order.begin(), order.end(),
-        Spatial_sort_traits_adapter_3<Kernel, Map>(make_property_map(std::as_const(points))));
-    return order;
-  }
-
-  static void push_back(const Medial_samples& samples, std::size_t i, double area, Level& level)
-  {
-    level.positions.push_back(samples.positions[i]);
-    level.normals.push_back(samples.normals[i]);
-    level.areas.push_back(area);
-    level.indices.push_back(std::uint32_t(i));
-  }
-
   void add_all(const Medial_samples& samples)
   {
     m_levels.push_back(std::make_unique<Level>());
     Level& level = *m_levels.back();
-    for(std::size_t i = 0; i < samples.size(); ++i)
-      push_back(samples, i, samples.areas[i], level);
+    level.positions = samples.positions;
+    level.normals = samples.normals;
+    level.areas = samples.areas;
+    level.indices.resize(samples.size());
+    std::iota(level.indices.begin(), level.indices.end(), std::uint32_t(0));
     level.cells = Cell_list(level.positions, cell_size * m_spacing);
   }
 
-  void add_level(const Medial_samples& samples, const std::vector<std::size_t>& order,
-                 double spacing)
+  /// \brief for each sample of a level, the one that stands for it among those that are apart: the nearest.
+  ///
+  /// Nearer by rounding is not nearer: regular meshes have many samples in the middle of two.
+  static std::vector<std::uint32_t> representatives(const Level& level, double distance)
   {
-    m_levels.push_back(std::make_unique<Level>());
-    Level& level = *m_levels.back();
-    const double step = spacing * spacing;
-    double passed = 0.5 * step;
-    for(const std::size_t i : order) {
-      passed += samples.areas[i];
-      const double steps = std::floor(passed / step);
-      if(steps >= 1)
-        push_back(samples, i, steps * step, level);
-      passed -= steps * step;
+    constexpr std::uint32_t none = std::uint32_t(-1);
+    std::vector<std::uint32_t> nearest(level.size(), none);
+    std::vector<double> squares(level.size(), std::numeric_limits<double>::infinity());
+    for(std::uint32_t kept = 0; kept < level.size(); ++kept) {
+      if(nearest[kept] != none)
+        continue;
+      nearest[kept] = kept;
+      squares[kept] = 0;
+      level.cells.for_each_in_ball(level.positions[kept], distance,
+                                   [&](std::size_t i, double squared_distance) {
+                                     if(squared_distance < (1 - 1e-9) * squares[i] &&
+                                        level.normals[i].dot(level.normals[kept]) > least_cosine) {
+                                       nearest[i] = kept;
+                                       squares[i] = squared_distance;
+                                     }
+                                   });
     }
-    level.cells = Cell_list(level.positions, cell_size * spacing);
+    return nearest;
+  }
+
+  void add_level(double spacing)
+  {
+    const Level& finer = *m_levels.back();
+    const std::vector<std::uint32_t> nearest = representatives(finer, apart * spacing);
+    std::vector<double> areas(finer.size(), 0.);
+    for(std::size_t i = 0; i < finer.size(); ++i)
+      areas[nearest[i]] += finer.areas[i];
+    auto level = std::make_unique<Level>();
+    for(std::size_t i = 0; i < finer.size(); ++i)
+      if(nearest[i] == i) {
+        level->positions.push_back(finer.positions[i]);
+        level->normals.push_back(finer.normals[i]);
+        level->areas.push_back(areas[i]);
+        level->indices.push_back(finer.indices[i]);
+      }
+    level->cells = Cell_list(level->positions, cell_size * spacing);
+    m_levels.push_back(std::move(level));
   }
 
   double m_spacing = 0;

@@ -12,6 +12,7 @@
 #include <CGAL/Area_projection_transform/medial_axis_comparison/Surface_distance.h>
 #include <CGAL/Area_projection_transform/medial_axis_comparison/axis_distances.h>
 #include <CGAL/Area_projection_transform/medial_axis_comparison/ball_volume.h>
+#include <CGAL/Area_projection_transform/medial_axis_comparison/reconstruction_error.h>
 #include <CGAL/Area_projection_transform/medial_balls/select_balls.h>
 
 #include <cmath>
@@ -30,6 +31,7 @@ struct Medial_measures
   double coverage =
       0;              ///< the part of the area that is no farther than the tolerance from the balls
   Ball_volume volume; ///< how much of the solid the balls fill
+  Reconstruction_error reconstruction; ///< how far their union and the surface are from each other
   /// of all balls, `|r - d| / r`, where `d` is the distance of the centre from the surface.
   Spread_of_values radius_error;
   /// of all centres, `a / (a + d)`, where `a` is the distance from the unpruned axis: 0 on it, 1 on the surface.
@@ -75,18 +77,24 @@ public:
       , m_axis_distance(unpruned.centers)
   {
     internal::check_positive(tolerance, "tolerance");
+    const Bbox_3 box = surface.bbox();
+    const Point_3 low(box.xmin(), box.ymin(), box.zmin()), high(box.xmax(), box.ymax(), box.zmax());
+    m_spacing = low < high ? 0.005 * std::sqrt(squared_distance(low, high)) : tolerance;
   }
 
   /// \brief measures an axis.
   /// \tparam ConcurrencyTag `CGAL::Sequential_tag`, `CGAL::Parallel_tag` or
   /// `CGAL::Parallel_if_available_tag`; the result does not depend on it, to the last bit
   /// \param axis in the units of the surface
+  /// \throw std::invalid_argument if its balls reach over twenty times as far as the surface
   template <class ConcurrencyTag = CGAL::Sequential_tag>
   Medial_measures measure(const Medial_representation& axis) const
   {
     Medial_measures result;
     result.coverage = covered_part(axis, m_surface, m_tolerance);
     result.volume = ball_volume<ConcurrencyTag>(axis, m_surface, m_seed);
+    result.reconstruction =
+        internal::reconstruction_error<ConcurrencyTag>(axis, m_surface, m_distance, m_spacing);
     std::vector<double> radius_errors(axis.size()), off_centre(axis.size());
     internal::for_each_index<ConcurrencyTag>(axis.size(), [&](std::size_t i) {
       const double depth = m_distance(axis.centers[i]), aside = m_axis_distance(axis.centers[i]);
@@ -100,7 +108,7 @@ public:
 
 private:
   const Source& m_surface;
-  double m_tolerance;
+  double m_tolerance, m_spacing; // of samples
   std::uint64_t m_seed;
   Surface_distance<Source> m_distance;
   internal::Nearest_point m_axis_distance;

@@ -54,6 +54,37 @@ inline Spread_of_values spread_of(std::vector<double> values)
 }
 
 /// \ingroup PkgAreaProjectionTransformMedialComparison
+/// \brief summarises numbers that count by their weights, which are not negative; those that are NaN are left out.
+inline Spread_of_values spread_of(const std::vector<double>& values,
+                                  const std::vector<double>& weights)
+{
+  std::vector<std::size_t> order;
+  double total = 0, sum = 0;
+  for(std::size_t i = 0; i < values.size(); ++i)
+    if(!std::isnan(values[i]) && weights[i] > 0) {
+      order.push_back(i);
+      total += weights[i];
+      sum += weights[i] * values[i];
+    }
+  if(order.empty())
+    return {};
+  std::sort(order.begin(), order.end(),
+            [&values](std::size_t a, std::size_t b) { return values[a] < values[b]; });
+  Spread_of_values result{sum / total, values[order.back()], values[order.back()],
+                          values[order.back()]};
+  double below = 0;
+  for(const std::size_t i : order) {
+    const double up_to = below + weights[i];
+    for(const auto& [part, quantile] :
+        {std::pair(0.5, &result.median), {0.95, &result.quantile_95}})
+      if(below < part * total && part * total <= up_to)
+        *quantile = values[i];
+    below = up_to;
+  }
+  return result;
+}
+
+/// \ingroup PkgAreaProjectionTransformMedialComparison
 /// \brief returns points all over a representation: the centres, and points on edges and triangles, so that no place of
 /// these is farther from one than about the spacing.
 /// \throw std::invalid_argument if the spacing is not positive and finite

@@ -121,6 +121,10 @@ void add_computation(CLI::App& app, Medial_options& options)
       ->check(CLI::Range(1., 170.))
       ->capture_default_str()
       ->group("Computation");
+  app.add_flag_callback(
+         "--no-compensate", [&options] { options.computation.compensate = false; },
+         "do not let the surface beside gaps stand for what is missing there")
+      ->group("Computation");
   add_choice(app, "--side", options.side, {"inside", "outside"},
              "the side of the surface on which the balls lie")
       ->capture_default_str()

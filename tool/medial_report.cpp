@@ -88,6 +88,7 @@ void report_parameters(const Medial_options& options, Console& console)
                                   {"stop_angle", computation.stop_angle},
                                   {"crease_angle", computation.crease_angle},
                                   {"sigma_ratio", computation.sigma_ratio},
+                                  {"compensate", computation.compensate},
                                   {"threads", number_of_threads(options.common.threads)}};
 }
 

@@ -319,6 +319,52 @@ TEST(Medial_balls, are_the_same_for_any_number_of_threads_and_any_kind_of_mesh)
   EXPECT_EQ(of_polyhedron.size(), of_soup.size());
 }
 
+TEST(Medial_balls, see_the_surface_that_single_faces_are_missing_of)
+{
+  // All of the area votes, at the centre: what is missing is missing from MAPT, unless others stand for it.
+  const Soup sphere = icosphere(4);
+  for(const double share : {0.7, 0.5, 0.3}) {
+    const AP::Triangle_surface holed = surface_of(thinned(sphere, share, 7));
+    Medial_ball_options options;
+    std::vector<double> compensated, raw;
+    for(const Medial_ball& ball : AP::medial_balls<Parallel>(holed, options))
+      compensated.push_back(ball.mapt);
+    options.compensate = false;
+    for(const Medial_ball& ball : AP::medial_balls<Parallel>(holed, options))
+      raw.push_back(ball.mapt);
+    const double left = holed.total_area() / (4 * pi);
+    EXPECT_NEAR(left, share, 0.03);
+    EXPECT_NEAR(quantile(raw, 0.5), left, 0.01);
+    // The faces that keep their areas are not those whose cells would be smaller.
+    EXPECT_NEAR(quantile(compensated, 0.5), 1, 0.02) << share;
+  }
+}
+
+TEST(Medial_balls, do_not_guess_what_was_in_a_large_hole)
+{
+  const Soup half = without_faces(icosphere(4), [](const Point_3& p) { return p.z() > 0; });
+  const AP::Triangle_surface surface = surface_of(half);
+  const double left = surface.total_area() / (4 * pi);
+  // Cells go beyond the rim by no more than the radius of a disk as large as a face of 4π / 5120: 0.028.
+  std::vector<double> mapt;
+  for(const Medial_ball& ball : AP::medial_balls<Parallel>(surface))
+    mapt.push_back(ball.mapt);
+  EXPECT_GT(quantile(mapt, 0.5), left - 0.005);
+  EXPECT_LT(quantile(mapt, 0.5), left + 0.028 / 2);
+}
+
+TEST(Medial_balls, of_closed_surfaces_have_nothing_to_compensate)
+{
+  Medial_ball_options options;
+  const AP::Triangle_surface closed = surface_of(unmerged(blob(3, 1)));
+  const auto balls = AP::medial_balls(closed, options);
+  options.compensate = false;
+  const auto raw = AP::medial_balls(closed, options);
+  ASSERT_EQ(balls.size(), raw.size());
+  for(std::size_t i = 0; i < balls.size(); ++i)
+    EXPECT_EQ(balls[i].mapt, raw[i].mapt);
+}
+
 TEST(Medial_balls, of_nothing_are_none)
 {
   EXPECT_TRUE(AP::medial_balls(AP::Triangle_surface()).empty());

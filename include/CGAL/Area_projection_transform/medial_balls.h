@@ -15,6 +15,7 @@
 #include <CGAL/Area_projection_transform/medial_balls/Medial_ball.h>
 #include <CGAL/Area_projection_transform/medial_balls/Medial_samples.h>
 #include <CGAL/Area_projection_transform/medial_balls/Thinned_samples.h>
+#include <CGAL/Area_projection_transform/medial_balls/missing_area.h>
 #include <CGAL/Area_projection_transform/medial_balls/scale_axis.h>
 #include <CGAL/Area_projection_transform/medial_balls/select_balls.h>
 #include <CGAL/Area_projection_transform/medial_balls/touching_ball.h>
@@ -116,7 +117,8 @@ std::vector<Medial_ball> medial_balls_of(const Medial_samples& samples,
 /// tells which of them matter is what the paper leaves to investigate.
 ///
 /// The surface need not be closed, connected or manifold. Through a hole larger than the distance between
-/// samples balls grow on, to whatever is behind it; such balls have a low `Medial_ball::mapt`.
+/// samples balls grow on, to whatever is behind it; such balls have a low `Medial_ball::mapt`. Where less is missing,
+/// what is beside it counts for it (`Medial_ball_options::compensate`).
 ///
 /// \tparam ConcurrencyTag `CGAL::Sequential_tag`, `CGAL::Parallel_tag` or `CGAL::Parallel_if_available_tag`; the
 /// result does not depend on it, to the last bit
@@ -146,8 +148,10 @@ medial_balls(const Triangle_surface& surface, const Medial_ball_options& options
              const NamedParameters& np = CGAL::parameters::default_values())
 {
   internal::check(options);
-  return internal::medial_balls_of<ConcurrencyTag>(internal::Medial_samples(surface, options),
-                                                   options, internal::callback_of(np));
+  internal::Medial_samples samples(surface, options);
+  if(options.compensate)
+    internal::add_missing_area<ConcurrencyTag>(samples, surface);
+  return internal::medial_balls_of<ConcurrencyTag>(samples, options, internal::callback_of(np));
 }
 
 /// \ingroup PkgAreaProjectionTransformMedialBalls

@@ -76,6 +76,10 @@ struct Medial_ball_options
   double crease_angle = 40;
   /// `σ/R` for `Medial_ball::mapt` and `Medial_ball::spread`, in (0, 1).
   double sigma_ratio = 0.5;
+  /// \brief whether the samples of a mesh that are beside gaps stand for what is missing there, too, as far as others are
+  /// apart. Where single faces are missing, anywhere, `Medial_ball::mapt` is what it was. Has no effect on closed
+  /// meshes, nor on points, whose areas are given.
+  bool compensate = true;
 };
 
 /// \ingroup PkgAreaProjectionTransformMedialBalls

@@ -37,6 +37,7 @@ struct Medial_samples
   std::vector<Vector> positions, normals;
   std::vector<double> areas;
   std::vector<std::uint32_t> sources;
+  std::vector<std::uint32_t> triangles; ///< that they are on; none of points
 
   Medial_samples(const Triangle_surface& surface, const Medial_ball_options& options);
   Medial_samples(const Surfels& surfels, const Medial_ball_options& options);
@@ -110,9 +111,11 @@ inline Medial_samples::Medial_samples(const Triangle_surface& surface,
       const std::array<double, 3> w = piece.centroid();
       const Vector normal = w[0] * corner[0] + w[1] * corner[1] + w[2] * corner[2];
       const double length = normal.norm();
-      if(length > 0)
-        push_back(w[0] * a + w[1] * b + w[2] * c, sign / length * normal,
-                  piece.fraction * surface.areas[t], surface.sources[t]);
+      if(!(length > 0))
+        return;
+      push_back(w[0] * a + w[1] * b + w[2] * c, sign / length * normal,
+                piece.fraction * surface.areas[t], surface.sources[t]);
+      triangles.push_back(std::uint32_t(t));
     };
     for_each_piece(whole_triangle(surface.corner(t, 0), surface.corner(t, 1), surface.corner(t, 2)),
                    largest_variance(spacing), sample);

@@ -108,6 +108,12 @@ void add_comparison(CLI::App& app, Medial_options& options)
 
 void add_computation(CLI::App& app, Medial_options& options)
 {
+  add_choice(app, "--method", options.method, {"touching", "polar"},
+             "the ball of a sample: the largest that touches there by its normal, or the largest "
+             "empty one through it and three others (the inner pole), which needs normals only to "
+             "tell the side")
+      ->capture_default_str()
+      ->group("Computation");
   app.add_option("--spacing", options.computation.spacing,
                  "of the samples that have a ball each (default: one for each face, more for "
                  "large ones)")
@@ -174,6 +180,8 @@ bool read_options(const std::vector<std::string>& arguments, Console& console,
   if(!parse(app, arguments))
     return false;
   check(options);
+  options.computation.method =
+      options.method == "polar" ? AP::Medial_ball_method::POLAR : AP::Medial_ball_method::TOUCHING;
   options.computation.side = options.side == "inside" ? AP::Side::INSIDE : AP::Side::OUTSIDE;
   return true;
 }

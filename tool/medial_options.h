@@ -37,6 +37,7 @@ struct Medial_options
   std::optional<double> tolerance; // default: 0.005 of the diagonal
   double coverage = 0.9;           // that the axes which are compared keep
 
+  std::string method = "touching";
   std::string side = "inside";
   CGAL::Area_projection::Medial_ball_options computation;
   Common_options common;

@@ -78,7 +78,8 @@ void report_connections(const Medial_result& result, Console& console)
 void report_parameters(const Medial_options& options, Console& console)
 {
   const AP::Medial_ball_options& computation = options.computation;
-  console.report["parameters"] = {{"side", options.side},
+  console.report["parameters"] = {{"method", options.method},
+                                  {"side", options.side},
                                   {"weight", options.weight},
                                   {"prune", or_null(options.prune)},
                                   {"balls", or_null(options.balls)},

@@ -86,6 +86,16 @@ class Medial(Test):
         self.assertLess(abs(balls["mapt"] - 1).max(), 0.02)
         self.assertTrue((balls["kept"] == 1).all())
 
+    def test_that_are_polar_are_where_samples_say(self):
+        balls = self.balls("--method", "polar")
+        # Samples are nearer to the centre than 1 by up to 0.07² / 6, by some more or less: between four that are 0.07 apart
+        # balls end early by a part of that over 0.07.
+        for axis in "xyz":
+            self.assertLess(numpy.median(abs(balls[axis])), 0.02)
+        self.assertLess(numpy.median(abs(balls["radius"] - 1)), 0.03)
+        touching = self.balls("--method", "touching")
+        self.assertFalse(len(balls) == len(touching) and (balls["radius"] == touching["radius"]).all())
+
     def test_are_selected(self):
         report = self.report("medial", self.mesh, "-o", self.file, "--balls", "1")
         self.assertEqual(report["medial"]["kept"], 1)

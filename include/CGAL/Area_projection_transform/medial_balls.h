@@ -16,6 +16,7 @@
 #include <CGAL/Area_projection_transform/medial_balls/Medial_samples.h>
 #include <CGAL/Area_projection_transform/medial_balls/Thinned_samples.h>
 #include <CGAL/Area_projection_transform/medial_balls/missing_area.h>
+#include <CGAL/Area_projection_transform/medial_balls/polar_balls.h>
 #include <CGAL/Area_projection_transform/medial_balls/scale_axis.h>
 #include <CGAL/Area_projection_transform/medial_balls/select_balls.h>
 #include <CGAL/Area_projection_transform/medial_balls/touching_ball.h>
@@ -74,13 +75,21 @@ std::vector<Medial_ball> medial_balls_of(const Medial_samples& samples,
   const double largest = samples.largest_radius();
   const double least_sine = std::sin(0.5 * options.stop_angle * 3.14159265358979323846 / 180);
   const Ball_weigher weigher(thinned);
+  std::optional<Polar_balls> polar;
+  if(options.method == Medial_ball_method::POLAR)
+    polar.emplace(samples, largest);
   std::vector<std::optional<Medial_ball>> found(samples.size());
   const auto find_one = [&](std::size_t i) {
     const double start = std::sqrt(samples.areas[i]);
     if(!(start > 0))
       return;
-    const std::optional<Touching_ball> ball = touching_ball(
-        thinned, samples.positions[i], samples.normals[i], start, largest, least_sine);
+    std::optional<Touching_ball> ball;
+    if(!polar)
+      ball = touching_ball(thinned, samples.positions[i], samples.normals[i], start, largest,
+                           least_sine);
+    else if((*polar)[i] &&
+            is_stopped(thinned, samples.positions[i], samples.normals[i], *(*polar)[i], least_sine))
+      ball = (*polar)[i];
     if(ball)
       found[i] = medial_ball(samples, weigher, i, *ball, options.sigma_ratio);
   };
@@ -112,13 +121,17 @@ std::vector<Medial_ball> medial_balls_of(const Medial_samples& samples,
 /// `select_by_weight()`, `select_strongest()`, `select_covering()`.
 ///
 /// The paper (section 4.2) takes for the medial axis the points to which more than one patch is projected as `σ`
-/// goes to 0. Over all radii these are the centres of all balls that touch twice, also of those with surface inside
+/// goes to 0 (`Projected_patches`). Over all radii these are the centres of all balls that touch twice, also of those with surface inside
 /// (the symmetry set); so here the radius is the distance from the surface. That the transform at these balls
 /// tells which of them matter is what the paper leaves to investigate.
 ///
+/// Instead of these balls, `Medial_ball_options::method` takes the inner poles: the largest ball through each sample and three
+/// others that is empty, and behind all four by their normals.
+///
 /// The surface need not be closed, connected or manifold. Through a hole larger than the distance between
 /// samples balls grow on, to whatever is behind it; such balls have a low `Medial_ball::mapt`. Where less is missing,
-/// what is beside it counts for it (`Medial_ball_options::compensate`).
+/// what is beside it counts for it (`Medial_ball_options::compensate`). Polar balls would have to touch the outer side
+/// of what is there, and are not among the result.
 ///
 /// \tparam ConcurrencyTag `CGAL::Sequential_tag`, `CGAL::Parallel_tag` or `CGAL::Parallel_if_available_tag`; the
 /// result does not depend on it, to the last bit

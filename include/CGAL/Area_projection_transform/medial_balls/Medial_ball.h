@@ -59,9 +59,19 @@ struct Medial_ball
 };
 
 /// \ingroup PkgAreaProjectionTransformMedialBalls
+/// \brief ways to find the medial ball of a sample.
+enum class Medial_ball_method {
+  TOUCHING, ///< the largest ball that touches at the sample, by its normal, and is stopped by another one
+  POLAR ///< the largest ball through the sample and three others, a vertex of their Voronoi diagram: the inner pole
+};
+
+/// \ingroup PkgAreaProjectionTransformMedialBalls
 /// \brief the choices of `medial_balls()`.
 struct Medial_ball_options
 {
+  /// \brief how balls are found. Touching balls follow the normals. Polar balls are where the samples say, so that
+  /// normals only have to tell inside from outside.
+  Medial_ball_method method = Medial_ball_method::TOUCHING;
   /// the side of the surface on which the balls lie.
   Side side = Side::INSIDE;
   /// \brief the spacing of the samples of a mesh, in its units, each of which has a ball. Faces are represented by one

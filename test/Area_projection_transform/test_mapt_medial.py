@@ -175,6 +175,14 @@ class Medial(Test):
         self.balls("-j", "2")
         self.assertEqual(one, self.file.read_bytes())
 
+    def test_of_half_of_the_faces_weigh_what_all_would_give_them(self):
+        points, faces = icosphere(3)
+        half = self.write("half.off", off(points, faces[::2]))
+        for options, weight in ([], 1), (["--no-compensate"], 0.5):
+            balls = self.path / "balls.ply"
+            self.succeed("medial", half, "-o", balls, *options)
+            self.assertAlmostEqual(numpy.median(read_ply(balls)["vertex"]["mapt"]), weight, delta=0.05)
+
     def test_refuse_what_they_cannot_do(self):
         for arguments, code, text in [
                 ([self.mesh, "-o", self.path / "b.txt"], WRONG_USAGE, ".ply"),

@@ -15,7 +15,9 @@
 #include "medial_comparison.h"
 #include "medial_options.h"
 #include "medial_picture.h"
+#include "medial_reconstruction.h"
 #include "medial_report.h"
+#include "write_mesh.h"
 #include "progress.h"
 #include "surface.h"
 #include "threads.h"
@@ -88,8 +90,8 @@ Medial_result connect_balls(std::vector<AP::Medial_ball> balls, const Source& so
 }
 
 void write_files(const Medial_result& result, const Axis_comparison& comparison,
-                 const Surface& surface, const Input& input, const Medial_options& options,
-                 Console& console)
+                 const Reconstruction& reconstruction, const Surface& surface, const Input& input,
+                 const Medial_options& options, Console& console)
 {
   auto& json = console.report["outputs"] = nlohmann::ordered_json::array();
   if(!options.picture.empty()) {
@@ -108,6 +110,11 @@ void write_files(const Medial_result& result, const Axis_comparison& comparison,
                       format);
     json.push_back(options.output);
   }
+  if(!options.reconstruct.empty()) {
+    Signal_watch::check();
+    write_mesh(options.reconstruct, reconstruction.mesh);
+    json.push_back(options.reconstruct);
+  }
   if(!options.compare.empty()) {
     Signal_watch::check();
     write_comparison(options.compare, comparison);
@@ -119,6 +126,7 @@ void check_outputs(const Medial_options& options)
 {
   for(const auto& [name, file] : {std::pair("--output", options.output),
                                   {"--picture", options.picture},
+                                  {"--reconstruct", options.reconstruct},
                                   {"--compare", options.compare}})
     if(!file.empty())
       check_output(name, file, {options.mesh});
@@ -146,17 +154,23 @@ bool run_medial(const std::vector<std::string>& arguments, Console& console)
       [&](const auto* source) { return connect_balls(std::move(balls), *source, options); },
       surface->source());
   Signal_watch::check();
+  Reconstruction reconstruction;
+  if(!options.reconstruct.empty())
+    reconstruction = reconstruct(result, *surface, options);
+  Signal_watch::check();
   Axis_comparison comparison;
   if(!options.compare.empty())
     comparison = compare_axes(*surface, options);
   Signal_watch::check();
   const double computing = watch.seconds();
 
-  write_files(result, comparison, *surface, input, options, console);
+  write_files(result, comparison, reconstruction, *surface, input, options, console);
   report_cost({reading, computing, watch.seconds()}, console);
   for(const std::string file : console.report["outputs"])
     console.row("written", file);
   report_balls(result, options, console);
+  if(!options.reconstruct.empty())
+    report_reconstruction(reconstruction, console);
   if(!options.compare.empty())
     show_comparison(comparison, options, console);
   return true;

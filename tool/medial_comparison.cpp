@@ -6,12 +6,13 @@
 
 #include "medial_comparison.h"
 
+#include "medial_reconstruction.h"
 #include "text.h"
 
 #include <CGAL/Area_projection_transform/internal/atomic_file.h>
 #include <CGAL/Area_projection_transform/medial_axis_comparison.h>
 
-#include <algorithm>
+#include <cmath>
 #include <cstdio>
 #include <optional>
 #include <utility>
@@ -57,14 +58,6 @@ Comparison compare(const Source& source, const Medial_options& options)
   return result;
 }
 
-Json to_json(const AP::Spread_of_values& values)
-{
-  return {{"mean", values.mean},
-          {"median", values.median},
-          {"quantile_95", values.quantile_95},
-          {"largest", values.largest}};
-}
-
 Json to_json(const std::optional<AP::Betti_numbers>& topology)
 {
   if(!topology)
@@ -95,8 +88,8 @@ Json distances_to_json(const Comparison& comparison, std::size_t i)
       continue;
     const AP::Axis_distances distances{comparison.distances[i][j], comparison.distances[j][i]};
     result[comparison.axes.axes[j].name] = {{"hausdorff", distances.hausdorff()},
-                                            {"there", to_json(distances.there)},
-                                            {"back", to_json(distances.back)}};
+                                            {"there", mapt::to_json(distances.there)},
+                                            {"back", mapt::to_json(distances.back)}};
   }
   return result;
 }
@@ -112,8 +105,9 @@ Json axis_to_json(const Comparison& comparison, std::size_t i)
           {"topology", to_json(axis.topology)},
           {"coverage", measures.coverage},
           {"volume", to_json(measures.volume)},
-          {"radius_error", to_json(measures.radius_error)},
-          {"off_centre", to_json(measures.off_centre)},
+          {"reconstruction", mapt::to_json(measures.reconstruction)},
+          {"radius_error", mapt::to_json(measures.radius_error)},
+          {"off_centre", mapt::to_json(measures.off_centre)},
           {"distances", distances_to_json(comparison, i)},
           {"seconds", axis.seconds}};
 }
@@ -133,40 +127,63 @@ Json to_json(const Comparison& comparison, const Medial_options& options)
   return result;
 }
 
+// A number that may be unknown.
+std::string cell_of_table(const std::optional<double>& value)
+{
+  char text[32] = "        -";
+  if(value && !std::isnan(*value))
+    std::snprintf(text, sizeof text, " %8.2f", *value);
+  return text;
+}
+
 std::string row_of_table(const Comparison& comparison, std::size_t i)
 {
   const AP::Medial_representation& axis = comparison.axes.axes[i];
   const AP::Medial_measures& m = comparison.measures[i];
   const double percent = 100 / comparison.diagonal;
+  const auto& protrusion = m.reconstruction.protrusion;
   const std::optional<double> overlap = m.volume.overlap();
-  char fills[16] = "       -", text[160];
-  if(overlap)
-    std::snprintf(fills, sizeof fills, "%8.2f", 100 * *overlap);
-  std::snprintf(text, sizeof text, "%-13s%7zu %8.2f %s %6ld %5ld %8.2f %8.2f %8.3f %8.3f %8.2f",
-                axis.name.c_str(), axis.size(), 100 * m.coverage, fills, axis.topology->components,
-                axis.topology->loops, 100 * m.radius_error.quantile_95,
-                100 * m.off_centre.quantile_95, percent * comparison.distances[i][0].largest,
-                percent * comparison.distances[0][i].largest, axis.seconds);
-  return text;
+  char text[64];
+  std::snprintf(text, sizeof text, "%-13s%7zu %6ld %5ld", axis.name.c_str(), axis.size(),
+                axis.topology->components, axis.topology->loops);
+  std::string row = text;
+  for(const std::optional<double>& value :
+      {std::optional(100 * m.coverage), overlap ? std::optional(100 * *overlap) : std::nullopt,
+       std::optional(percent * m.reconstruction.missing.mean),
+       std::optional(percent * m.reconstruction.missing.largest),
+       protrusion ? std::optional(percent * protrusion->largest) : std::nullopt,
+       std::optional(100 * m.radius_error.quantile_95),
+       std::optional(100 * m.off_centre.quantile_95),
+       std::optional(percent * comparison.distances[i][0].largest),
+       std::optional(percent * comparison.distances[0][i].largest), std::optional(axis.seconds)})
+    row += cell_of_table(value);
+  return row;
 }
 
 std::vector<std::string> table_of(const Comparison& comparison)
 {
-  std::vector<std::string> lines{"axis           balls   covers    fills pieces loops   radius    "
-                                 "aside    there     back  seconds"};
+  std::vector<std::string> lines{
+      "axis           balls pieces loops   covers    fills    lacks  at most  sticks   radius    "
+      "aside    there     back  seconds"};
   for(std::size_t i = 0; i < comparison.axes.axes.size(); ++i)
     lines.push_back(row_of_table(comparison, i));
   if(comparison.shape)
     lines.push_back("The shape has " +
                     counted(std::size_t(comparison.shape->components), "piece", "pieces") +
                     " and " + counted(std::size_t(comparison.shape->loops), "loop", "loops") + ".");
-  lines.push_back("covers       the part of the surface within " +
-                  to_text(comparison.axes.tolerance) + " of the balls, in %");
-  lines.push_back("fills        the common volume of balls and shape, in % of that of either");
-  lines.push_back("radius       the error of the radius, in %; 5 % have more");
-  lines.push_back("aside        from the middle, 0, to the surface, 100; 5 % have more");
-  lines.push_back("there, back  the largest distance to and from the unpruned axis, in % of the "
-                  "diagonal");
+  for(const std::string& line :
+      {"covers          the part of the surface within " + to_text(comparison.axes.tolerance) +
+           " of the balls, in %",
+       std::string("fills           the common volume of balls and shape, in % of that of either"),
+       std::string("lacks, at most  how far the surface is from the balls, mean and largest, in % "
+                   "of the diagonal"),
+       std::string("sticks          how far the balls stick out of it at most, in the same"),
+       std::string("radius          the error of the radius, in %; 5 % have more"),
+       std::string("aside           from the middle, 0, to the surface, 100; 5 % have more"),
+       std::string(
+           "there, back     the largest distance to and from the unpruned axis, in % of the "
+           "diagonal")})
+    lines.push_back(line);
   return lines;
 }
 

@@ -8,6 +8,7 @@
 
 #include "errors.h"
 #include "map_file.h"
+#include "write_mesh.h"
 #include "text.h"
 
 namespace mapt {
@@ -55,6 +56,26 @@ void add_files(CLI::App& app, Medial_options& options)
          "cover the most, centrelines, and CGAL's skeleton")
       ->type_name("FILE")
       ->group("Output");
+}
+
+void add_reconstruction(CLI::App& app, Medial_options& options)
+{
+  app.add_option(
+         "--reconstruct", options.reconstruct,
+         "the boundary of the union of the selected balls, to write as a closed mesh (.off, "
+         ".obj, .ply, .stl): the shape that they keep, and how far it is off")
+      ->type_name("FILE")
+      ->group("Output");
+  app.add_option("--cell", options.cell,
+                 "with --reconstruct: the width of the cells of the lattice, by which the mesh is "
+                 "off at most (default: 0.005 of the diagonal of the bounding box)")
+      ->type_name("LENGTH")
+      ->check(positive_number())
+      ->group("Reconstruction");
+  app.add_flag("--interpolate", options.is_interpolated,
+               "with --reconstruct: put balls between those that are connected, too, with radii "
+               "in between: cones along edges, slabs on faces")
+      ->group("Reconstruction");
 }
 
 void add_selection(CLI::App& app, Medial_options& options)
@@ -147,6 +168,11 @@ void check(const Medial_options& options)
     check_extension("--picture", options.picture, {".png"});
   if(!options.compare.empty())
     check_extension("--compare", options.compare, {".json"});
+  if(!options.reconstruct.empty())
+    check_extension("--reconstruct", options.reconstruct, mesh_extensions());
+  if((options.cell || options.is_interpolated) && options.reconstruct.empty())
+    throw Usage_error(std::string(options.cell ? "--cell" : "--interpolate") +
+                      " is of the mesh of balls: name a file with --reconstruct");
   if(options.do_write_kept_only && options.output.empty())
     throw Usage_error("--kept-only has nothing to write: name a file with --output");
   if(options.select == "random" && !options.balls)
@@ -175,6 +201,7 @@ bool read_options(const std::vector<std::string>& arguments, Console& console,
   add_files(app, options);
   add_selection(app, options);
   add_comparison(app, options);
+  add_reconstruction(app, options);
   add_computation(app, options);
   add_console_options(app, console);
   if(!parse(app, arguments))

@@ -24,9 +24,12 @@ namespace mapt {
 struct Medial_options
 {
   std::string mesh;
-  std::string output;  // empty: not written
-  std::string picture; // empty: none
-  std::string compare; // empty: no comparison
+  std::string output;           // empty: not written
+  std::string picture;          // empty: none
+  std::string compare;          // empty: no comparison
+  std::string reconstruct;      // empty: no mesh of the balls
+  std::optional<double> cell;   // of that; default: 0.005 of the diagonal
+  bool is_interpolated = false; // whether there are balls between those that are connected, too
   bool do_write_kept_only = false;
 
   std::string weight = "importance";

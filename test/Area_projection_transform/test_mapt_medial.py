@@ -169,6 +169,30 @@ class Medial(Test):
         self.succeed("medial", self.mesh, "--balls", "3", "--picture", self.path / "p.png")
         self.assertEqual((self.path / "p.png").read_bytes()[:4], b"\x89PNG")
 
+    def test_are_a_mesh_again(self):
+        for extension in "off", "obj", "ply", "stl":
+            file = self.path / f"again.{extension}"
+            report = self.report("medial", self.mesh, "--reconstruct", file, "--cell", "0.1")
+            self.assertIn(str(file), report["outputs"])
+            mesh = self.report("info", file)["mesh"]
+            self.assertEqual(mesh["faces"], report["reconstruction"]["faces"])
+            self.assertTrue(mesh["closed"], extension)
+            # A sphere within the sagitta of cells, cell² / 2r, and what facets and balls are off.
+            self.assertLess(abs(mesh["volume"] - 4 * math.pi / 3), 4 * math.pi * 0.02)
+        error = report["reconstruction"]["error"]
+        self.assertLess(error["missing"]["largest"], 0.01)
+        self.assertLess(error["protrusion"]["mean"], 0.01)
+        self.assertEqual(error["spacing"], 0.1)
+
+    def test_are_filled_between(self):
+        mesh = self.write("torus.off", off(*torus(1, 0.3, 60, 20)))
+        means = []
+        for arguments in [], ["--interpolate"]:
+            report = self.report("medial", mesh, "--balls", "24", "--select", "covering",
+                                 "--reconstruct", self.path / "again.off", *arguments)
+            means.append(report["reconstruction"]["error"]["missing"]["mean"])
+        self.assertLess(means[1], 0.5 * means[0])
+
     def test_do_not_depend_on_threads(self):
         self.balls("-j", "1")
         one = self.file.read_bytes()
@@ -192,6 +216,11 @@ class Medial(Test):
                 ([self.mesh, "--select", "random"], WRONG_USAGE, "--balls"),
                 ([self.mesh, "--kept-only"], WRONG_USAGE, "--output"),
                 ([self.mesh, "--compare", self.path / "c.txt"], WRONG_USAGE, ".json"),
+                ([self.mesh, "--reconstruct", self.path / "m.vtp"], WRONG_USAGE, ".stl"),
+                ([self.mesh, "--cell", "1"], WRONG_USAGE, "--reconstruct"),
+                ([self.mesh, "--interpolate"], WRONG_USAGE, "--reconstruct"),
+                ([self.mesh, "--reconstruct", self.path / "m.off", "--cell", "1e-5"], WRONG_USAGE,
+                 "--cell is 0.00001"),
                 ([self.mesh, "--coverage", "2"], WRONG_USAGE, "--coverage"),
                 ([self.mesh, "--compare", self.path / "no" / "c.json"], OUTPUT_NOT_WRITTEN,
                  "no/c.json"),
@@ -225,6 +254,9 @@ class Comparison(Test):
             solid = axis["volume"]["solid"]
             self.assertLess(abs(solid["value"] - volume_of(points, faces)), 5 * solid["error"])
             self.assertLess(solid["error"], 0.005 * solid["value"])
+            error = axis["reconstruction"]
+            self.assertLessEqual(error["missing"]["mean"], error["missing"]["largest"])
+            self.assertLess(error["protrusion"]["quantile_95"], 0.2 * 0.3)
             if name != "random":  # which runs out of balls that are apart
                 self.assertGreaterEqual(axis["coverage"], 0.9 - 1e-9)
             for other, distances in axis["distances"].items():

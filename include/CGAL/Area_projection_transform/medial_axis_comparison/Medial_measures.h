@@ -15,6 +15,7 @@
 #include <CGAL/Area_projection_transform/medial_axis_comparison/reconstruction_error.h>
 #include <CGAL/Area_projection_transform/medial_balls/select_balls.h>
 
+#include <algorithm>
 #include <cmath>
 #include <cstddef>
 #include <cstdint>
@@ -86,15 +87,14 @@ public:
   /// \tparam ConcurrencyTag `CGAL::Sequential_tag`, `CGAL::Parallel_tag` or
   /// `CGAL::Parallel_if_available_tag`; the result does not depend on it, to the last bit
   /// \param axis in the units of the surface
-  /// \throw std::invalid_argument if its balls reach over twenty times as far as the surface
   template <class ConcurrencyTag = CGAL::Sequential_tag>
   Medial_measures measure(const Medial_representation& axis) const
   {
     Medial_measures result;
     result.coverage = covered_part(axis, m_surface, m_tolerance);
     result.volume = ball_volume<ConcurrencyTag>(axis, m_surface, m_seed);
-    result.reconstruction =
-        internal::reconstruction_error<ConcurrencyTag>(axis, m_surface, m_distance, m_spacing);
+    result.reconstruction = internal::reconstruction_error<ConcurrencyTag>(
+        axis, m_surface, m_distance, std::max(m_spacing, internal::Ball_lattice::least_cell(axis)));
     std::vector<double> radius_errors(axis.size()), off_centre(axis.size());
     internal::for_each_index<ConcurrencyTag>(axis.size(), [&](std::size_t i) {
       const double depth = m_distance(axis.centers[i]), aside = m_axis_distance(axis.centers[i]);

@@ -14,6 +14,7 @@
 #include <CGAL/Area_projection_transform/scales.h>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <cstddef>
 #include <limits>
@@ -84,33 +85,78 @@ inline Spread_of_values spread_of(const std::vector<double>& values,
   return result;
 }
 
+/// \cond SKIP_IN_MANUAL
+namespace internal {
+
+/// \brief calls `sample(corners, weights)` for places between the balls, on edges and triangles, so that none of these is farther
+/// from one, or from a centre, than about the spacing.
+template <class Sample>
+void for_each_place_between(const Medial_representation& axis, double spacing, Sample&& sample)
+{
+  check_positive(spacing, "spacing");
+  for(const auto& [from, to] : axis.edges) {
+    const double length = std::sqrt(squared_distance(axis.centers[from], axis.centers[to]));
+    const double pieces = std::ceil(length / spacing);
+    for(double i = 1; i < pieces; ++i)
+      sample(std::array{from, to, to}, std::array{1 - i / pieces, i / pieces, 0.});
+  }
+  for(const auto& corners : axis.triangles) {
+    const auto add = [&](const Triangle_piece& piece) {
+      if(piece.fraction < 1) // a small triangle is represented by its corners
+        sample(corners, piece.centroid());
+    };
+    for_each_piece(whole_triangle(axis.centers[corners[0]], axis.centers[corners[1]],
+                                  axis.centers[corners[2]]),
+                   largest_variance(spacing), add);
+  }
+}
+
+inline Point_3 place_between(const Medial_representation& axis,
+                             const std::array<std::uint32_t, 3>& corners,
+                             const std::array<double, 3>& weights)
+{
+  const Point_3 &a = axis.centers[corners[0]], &b = axis.centers[corners[1]],
+                &c = axis.centers[corners[2]];
+  return a + weights[1] * (b - a) + weights[2] * (c - a);
+}
+
+} // namespace internal
+/// \endcond
+
 /// \ingroup PkgAreaProjectionTransformMedialComparison
 /// \brief returns points all over a representation: the centres, and points on edges and triangles, so that no place of
 /// these is farther from one than about the spacing.
 /// \throw std::invalid_argument if the spacing is not positive and finite
 inline std::vector<Point_3> axis_samples(const Medial_representation& axis, double spacing)
 {
-  internal::check_positive(spacing, "spacing");
   std::vector<Point_3> samples = axis.centers;
-  for(const auto& [from, to] : axis.edges) {
-    const Vector_3 edge = axis.centers[to] - axis.centers[from];
-    const double pieces = std::ceil(std::sqrt(edge.squared_length()) / spacing);
-    for(double i = 1; i < pieces; ++i)
-      samples.push_back(axis.centers[from] + i / pieces * edge);
-  }
-  for(const auto& corners : axis.triangles) {
-    const Point_3 &a = axis.centers[corners[0]], &b = axis.centers[corners[1]],
-                  &c = axis.centers[corners[2]];
-    const auto sample = [&](const internal::Triangle_piece& piece) {
-      if(piece.fraction == 1)
-        return; // a small triangle is represented by its corners
-      const auto w = piece.centroid();
-      samples.push_back(a + w[1] * (b - a) + w[2] * (c - a));
-    };
-    internal::for_each_piece(internal::whole_triangle(a, b, c), internal::largest_variance(spacing),
-                             sample);
-  }
+  internal::for_each_place_between(axis, spacing, [&](const auto& corners, const auto& weights) {
+    samples.push_back(internal::place_between(axis, corners, weights));
+  });
   return samples;
+}
+
+/// \ingroup PkgAreaProjectionTransformMedialComparison
+/// \brief returns a representation with balls all over its edges and triangles, of radii between those at the corners: cones and
+/// slabs, as a medial mesh is understood.
+///
+/// Neighbours are about the spacing apart, so that between balls of radius `r` they leave dents of `spacing² / 8r`. The
+/// topology is not known.
+/// \throw std::invalid_argument if the spacing is not positive and finite
+inline Medial_representation interpolated_balls(const Medial_representation& axis, double spacing)
+{
+  Medial_representation result;
+  result.name = axis.name;
+  result.centers = axis.centers;
+  result.radii = axis.radii;
+  internal::for_each_place_between(axis, spacing, [&](const auto& corners, const auto& weights) {
+    result.centers.push_back(internal::place_between(axis, corners, weights));
+    double radius = 0;
+    for(std::size_t i = 0; i < 3; ++i)
+      radius += weights[i] * axis.radii[corners[i]];
+    result.radii.push_back(radius);
+  });
+  return result;
 }
 
 /// \cond SKIP_IN_MANUAL

@@ -54,29 +54,31 @@ public:
   };
 
   /// the most cells along a side.
-  static constexpr std::int32_t most_cells = 4096;
+  static constexpr std::int32_t most_cells = 1024;
 
   Ball_lattice(const Medial_representation& balls, double cell) : m_balls(balls), m_cell(cell)
   {
-    Bbox_3 box;
     for(std::size_t i = 0; i < balls.size(); ++i)
-      if(balls.radii[i] > 0) {
+      if(balls.radii[i] > 0)
         m_whole.balls.push_back(std::uint32_t(i));
-        box += Kernel::Sphere_3(balls.centers[i], balls.radii[i] * balls.radii[i]).bbox();
-      }
     if(m_whole.balls.empty())
       return;
-    const double longest =
-        std::max({box.xmax() - box.xmin(), box.ymax() - box.ymin(), box.zmax() - box.zmin()});
-    if(!(longest / cell + 2 <= most_cells))
+    const Bbox_3 box = bbox(balls);
+    if(!(cell >= least_cell(balls)))
       throw std::invalid_argument("cell is " + std::to_string(cell) + ": must be at least " +
-                                  std::to_string(longest / (most_cells - 2)) + ", 1/" +
+                                  std::to_string(least_cell(balls)) + ", 1/" +
                                   std::to_string(most_cells - 2) + " of the extent of the balls");
-    while(m_whole.size < longest / cell + 2) // nodes on the border are outside
+    while(m_whole.size < longest_side(box) / cell + 2) // nodes on the border are outside
       m_whole.size *= 2;
     const double half = 0.5 * m_whole.size * cell;
     m_origin = {0.5 * (box.xmin() + box.xmax()) - half, 0.5 * (box.ymin() + box.ymax()) - half,
                 0.5 * (box.zmin() + box.zmax()) - half};
+  }
+
+  /// the least width of cells that there may be.
+  static double least_cell(const Medial_representation& balls)
+  {
+    return std::max(longest_side(bbox(balls)), 0.) / (most_cells - 2);
   }
 
   const Cube& whole() const { return m_whole; }
@@ -123,6 +125,20 @@ private:
     std::array<double, 3> point;
     bool is_inside;
   };
+
+  static Bbox_3 bbox(const Medial_representation& balls)
+  {
+    Bbox_3 box;
+    for(std::size_t i = 0; i < balls.size(); ++i)
+      if(balls.radii[i] > 0)
+        box += Kernel::Sphere_3(balls.centers[i], balls.radii[i] * balls.radii[i]).bbox();
+    return box;
+  }
+
+  static double longest_side(const Bbox_3& box)
+  {
+    return std::max({box.xmax() - box.xmin(), box.ymax() - box.ymin(), box.zmax() - box.zmin()});
+  }
 
   double coordinate(std::size_t axis, std::int32_t place) const
   {
@@ -333,7 +349,7 @@ inline Triangle_surface joined(const std::vector<Ball_lattice::Triangles>& parts
 /// result does not depend on it, to the last bit
 /// \param axis the balls; those without a positive radius have no part in it
 /// \param cell the width of the cells of the lattice, in the units of the balls
-/// \throw std::invalid_argument if `cell` is not positive and finite, or less than 1/4094 of the longest side of the bounding box
+/// \throw std::invalid_argument if `cell` is not positive and finite, or less than 1/1022 of the longest side of the bounding box
 ///
 /// Complexity: of the area of the boundary over `cell²`, and of the balls that meet a cell. The hand in 200 balls at a two
 /// hundredth of its diagonal takes 0.1 s.

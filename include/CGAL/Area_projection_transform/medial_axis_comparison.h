@@ -18,6 +18,7 @@
 ///   (`ball_volume()`), how far surface and balls are from each other (`reconstruction_error()`), whether they are in the
 ///   middle and have the right radii;
 /// - `union_of_balls_mesh()` is the shape that is left, as a mesh;
+/// - `shape_diameter_correlation()` tells whether they are thick where \cgal's shape diameter function says so;
 /// - `shape_topology()` tells how many pieces and loops they should have.
 ///
 /// This includes the header of \cgal's skeletons, which takes long to compile; whoever needs no skeleton includes
@@ -32,6 +33,7 @@
 #include <CGAL/Area_projection_transform/medial_axis_comparison/mean_curvature_skeleton.h>
 #include <CGAL/Area_projection_transform/medial_axis_comparison/medial_axes.h>
 #include <CGAL/Area_projection_transform/medial_axis_comparison/reconstruction_error.h>
+#include <CGAL/Area_projection_transform/medial_axis_comparison/shape_diameter.h>
 #include <CGAL/Area_projection_transform/medial_axis_comparison/shape_topology.h>
 #include <CGAL/Area_projection_transform/medial_axis_comparison/union_of_balls_mesh.h>
 

@@ -23,11 +23,11 @@
 #include "threads.h"
 
 #include <CGAL/Area_projection_transform/IO/medial_balls_PLY.h>
+#include <CGAL/Area_projection_transform/internal/diagonal_of.h>
 #include <CGAL/Area_projection_transform/medial_axis_comparison/shape_topology.h>
 #include <CGAL/Area_projection_transform/medial_balls/select_balls.h>
 #include <CGAL/Area_projection_transform/medial_complex.h>
 
-#include <cmath>
 #include <limits>
 #include <string>
 #include <utility>
@@ -35,12 +35,6 @@
 namespace mapt {
 
 namespace {
-
-double diagonal(const CGAL::Bbox_3& box)
-{
-  return std::sqrt(CGAL::square(box.xmax() - box.xmin()) + CGAL::square(box.ymax() - box.ymin()) +
-                   CGAL::square(box.zmax() - box.zmin()));
-}
 
 // Of the balls that are not pruned, those that --select asks for.
 template <class Source>
@@ -69,14 +63,11 @@ std::vector<std::size_t> selected(const Medial_result& result, const Source& sou
 }
 
 template <class Source>
-Medial_result connect_balls(std::vector<AP::Medial_ball> balls, const Source& source,
-                            const Medial_options& options)
+void connect_balls(Medial_result& result, const Source& source, const Medial_options& options)
 {
-  Medial_result result;
-  result.balls = std::move(balls);
-  result.tolerance = options.tolerance.value_or(0.005 * diagonal(source.bbox()));
+  result.tolerance = options.tolerance.value_or(0.005 * AP::internal::diagonal_of(source.bbox()));
   if(!(result.tolerance > 0)) // of a surface without extent
-    return result;
+    return;
   result.kept = selected(result, source, options);
   std::vector<std::size_t> all;
   for(std::size_t i = 0; i < result.balls.size(); ++i)
@@ -86,7 +77,6 @@ Medial_result connect_balls(std::vector<AP::Medial_ball> balls, const Source& so
   result.growth = AP::crack_width(source.total_area(), result.balls.size());
   result.complex = AP::medial_complex(result.balls, result.kept, result.growth);
   result.shape = AP::shape_topology(source);
-  return result;
 }
 
 void write_files(const Medial_result& result, const Axis_comparison& comparison,
@@ -149,10 +139,12 @@ bool run_medial(const std::vector<std::string>& arguments, Console& console)
 
   const auto surface = make_surface(input, Surface_options(), 1);
   const Signal_watch signals;
-  std::vector<AP::Medial_ball> balls = find_balls(*surface, options.computation, console);
-  const Medial_result result = std::visit(
-      [&](const auto* source) { return connect_balls(std::move(balls), *source, options); },
-      surface->source());
+  Stopwatch of_balls;
+  Medial_result result;
+  result.balls = find_balls(*surface, options.computation, console);
+  result.seconds = of_balls.seconds();
+  std::visit([&](const auto* source) { connect_balls(result, *source, options); },
+             surface->source());
   Signal_watch::check();
   Reconstruction reconstruction;
   if(!options.reconstruct.empty())
@@ -160,7 +152,7 @@ bool run_medial(const std::vector<std::string>& arguments, Console& console)
   Signal_watch::check();
   Axis_comparison comparison;
   if(!options.compare.empty())
-    comparison = compare_axes(*surface, options);
+    comparison = compare_axes(*surface, result, options);
   Signal_watch::check();
   const double computing = watch.seconds();
 

@@ -28,24 +28,49 @@ using Tag = CGAL::Parallel_if_available_tag;
 struct Comparison
 {
   AP::Medial_axes axes;
-  std::vector<AP::Medial_measures> measures;                // of each axis
+  std::vector<AP::Medial_measures> measures; // of each axis
+  std::vector<std::optional<double>>
+      thickness; // of each: the ranks of its diameters against CGAL's
   std::vector<std::vector<AP::Spread_of_values>> distances; // from each to each
   std::optional<AP::Betti_numbers> shape;
   double diagonal = 0;
 };
 
+// Rays of the shape diameter function go inside.
+std::vector<std::optional<double>> thickness_of(const AP::Medial_axes& axes,
+                                                const AP::Triangle_surface& surface,
+                                                const Medial_options& options)
+{
+  std::vector<std::optional<double>> result(axes.axes.size());
+  if(options.computation.side == AP::Side::OUTSIDE)
+    return result;
+  const std::vector<double> diameters = AP::shape_diameters(surface);
+  for(std::size_t i = 0; i < result.size(); ++i) {
+    const double correlation = AP::shape_diameter_correlation(axes.axes[i], surface, diameters);
+    if(!std::isnan(correlation))
+      result[i] = correlation;
+  }
+  return result;
+}
+
+std::vector<std::optional<double>> thickness_of(const AP::Medial_axes& axes, const AP::Surfels&,
+                                                const Medial_options&)
+{
+  return std::vector<std::optional<double>>(axes.axes.size());
+}
+
 template <class Source>
-Comparison compare(const Source& source, const Medial_options& options)
+Comparison compare(const Source& source, const Medial_result& found, const Medial_options& options)
 {
   AP::Medial_axes_options choices;
   choices.balls = options.computation;
   choices.lines.side = options.computation.side;
-  choices.coverage = options.coverage;
+  choices.coverage = options.coverage.value_or(choices.coverage);
   choices.number = options.balls;
   choices.tolerance = options.tolerance;
   choices.seed = options.seed;
   Comparison result;
-  result.axes = AP::medial_axes<Tag>(source, choices);
+  result.axes = AP::medial_axes<Tag>(source, found.balls, found.seconds, choices);
   result.shape = AP::shape_topology(source);
   result.diagonal = AP::internal::diagonal_of(source.bbox());
   if(result.axes.axes.empty())
@@ -54,18 +79,14 @@ Comparison compare(const Source& source, const Medial_options& options)
                                        options.seed);
   for(const AP::Medial_representation& axis : result.axes.axes)
     result.measures.push_back(judge.template measure<Tag>(axis));
+  result.thickness = thickness_of(result.axes, source, options);
   result.distances = AP::axis_distance_matrix<Tag>(result.axes.axes, result.axes.tolerance);
   return result;
 }
 
-Json to_json(const std::optional<AP::Betti_numbers>& topology)
+Json or_null(const std::optional<AP::Betti_numbers>& topology)
 {
-  if(!topology)
-    return nullptr;
-  return {{"components", topology->components},
-          {"loops", topology->loops},
-          {"cavities", topology->cavities},
-          {"euler_number", topology->euler_number()}};
+  return topology ? mapt::to_json(*topology) : Json();
 }
 
 Json to_json(const AP::Ball_volume& volume)
@@ -102,12 +123,14 @@ Json axis_to_json(const Comparison& comparison, std::size_t i)
           {"balls", axis.size()},
           {"edges", axis.edges.size()},
           {"faces", axis.triangles.size()},
-          {"topology", to_json(axis.topology)},
+          {"topology", or_null(axis.topology)},
           {"coverage", measures.coverage},
           {"volume", to_json(measures.volume)},
           {"reconstruction", mapt::to_json(measures.reconstruction)},
           {"radius_error", mapt::to_json(measures.radius_error)},
           {"off_centre", mapt::to_json(measures.off_centre)},
+          {"shape_diameter_correlation",
+           comparison.thickness[i] ? Json(*comparison.thickness[i]) : Json()},
           {"distances", distances_to_json(comparison, i)},
           {"seconds", axis.seconds}};
 }
@@ -117,7 +140,7 @@ Json to_json(const Comparison& comparison, const Medial_options& options)
   Json result{{"file", options.mesh},
               {"tolerance", comparison.axes.tolerance},
               {"diagonal", comparison.diagonal},
-              {"shape", to_json(comparison.shape)},
+              {"shape", or_null(comparison.shape)},
               {"representations", Json::array()},
               {"left_out", Json::array()}};
   for(std::size_t i = 0; i < comparison.axes.axes.size(); ++i)
@@ -153,7 +176,7 @@ std::string row_of_table(const Comparison& comparison, std::size_t i)
        std::optional(percent * m.reconstruction.missing.largest),
        protrusion ? std::optional(percent * protrusion->largest) : std::nullopt,
        std::optional(100 * m.radius_error.quantile_95),
-       std::optional(100 * m.off_centre.quantile_95),
+       std::optional(100 * m.off_centre.quantile_95), comparison.thickness[i],
        std::optional(percent * comparison.distances[i][0].largest),
        std::optional(percent * comparison.distances[0][i].largest), std::optional(axis.seconds)})
     row += cell_of_table(value);
@@ -163,8 +186,8 @@ std::string row_of_table(const Comparison& comparison, std::size_t i)
 std::vector<std::string> table_of(const Comparison& comparison)
 {
   std::vector<std::string> lines{
-      "axis           balls pieces loops   covers    fills    lacks  at most  sticks   radius    "
-      "aside    there     back  seconds"};
+      "axis           balls pieces loops   covers    fills    lacks  at most   sticks   radius    "
+      "aside      SDF    there     back  seconds"};
   for(std::size_t i = 0; i < comparison.axes.axes.size(); ++i)
     lines.push_back(row_of_table(comparison, i));
   if(comparison.shape)
@@ -180,6 +203,8 @@ std::vector<std::string> table_of(const Comparison& comparison)
        std::string("sticks          how far the balls stick out of it at most, in the same"),
        std::string("radius          the error of the radius, in %; 5 % have more"),
        std::string("aside           from the middle, 0, to the surface, 100; 5 % have more"),
+       std::string("SDF             the correlation of the ranks of its diameters with those of "
+                   "CGAL's shape diameter function"),
        std::string(
            "there, back     the largest distance to and from the unpruned axis, in % of the "
            "diagonal")})
@@ -189,10 +214,11 @@ std::vector<std::string> table_of(const Comparison& comparison)
 
 } // namespace
 
-Axis_comparison compare_axes(const Surface& surface, const Medial_options& options)
+Axis_comparison compare_axes(const Surface& surface, const Medial_result& found,
+                             const Medial_options& options)
 {
-  const Comparison comparison =
-      std::visit([&](const auto* source) { return compare(*source, options); }, surface.source());
+  const Comparison comparison = std::visit(
+      [&](const auto* source) { return compare(*source, found, options); }, surface.source());
   Axis_comparison result{to_json(comparison, options), table_of(comparison), {}};
   for(const auto& [name, reason] : comparison.axes.left_out)
     result.left_out.push_back(name + " is left out of the comparison: " + reason);

@@ -11,6 +11,7 @@
 
 #include "console.h"
 #include "medial_options.h"
+#include "medial_report.h"
 #include "surface.h"
 
 #include <string>
@@ -26,7 +27,9 @@ struct Axis_comparison
   std::vector<std::string> left_out; // the axes that could not be made, and why
 };
 
-Axis_comparison compare_axes(const Surface& surface, const Medial_options& options);
+// \param found the balls of the surface, of which the axes are made
+Axis_comparison compare_axes(const Surface& surface, const Medial_result& found,
+                             const Medial_options& options);
 
 // Writes the measures.
 // \throw Output_error if the file cannot be written.

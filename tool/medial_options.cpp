@@ -120,10 +120,9 @@ void add_comparison(CLI::App& app, Medial_options& options)
 {
   app.add_option("--coverage", options.coverage,
                  "with --compare: the part of the surface that each selection of balls has to "
-                 "cover, unless --balls gives their number")
+                 "cover, unless --balls gives their number (default: 0.9)")
       ->type_name("PART")
       ->check(CLI::Range(0., 1.))
-      ->capture_default_str()
       ->group("Comparison");
 }
 
@@ -177,6 +176,16 @@ void check(const Medial_options& options)
     throw Usage_error("--kept-only has nothing to write: name a file with --output");
   if(options.select == "random" && !options.balls)
     throw Usage_error("--select random needs a number: give --balls");
+  if(options.coverage && options.compare.empty())
+    throw Usage_error("--coverage has nothing to select: it is of the axes that --compare writes");
+  if(options.coverage && options.balls)
+    throw Usage_error("--coverage and --balls both tell how many balls to compare: give one");
+  const bool is_comparing_only =
+      !options.compare.empty() && options.output.empty() && options.picture.empty();
+  if(is_comparing_only && (options.prune || options.select != "strongest"))
+    throw Usage_error("--compare selects by all weights, not by " +
+                      std::string(options.prune ? "--prune" : "--select") +
+                      ": name a file for what that keeps with --output or --picture");
 }
 
 } // namespace

@@ -38,7 +38,7 @@ struct Medial_options
   std::string select = "strongest";
   std::uint64_t seed = 0;
   std::optional<double> tolerance; // default: 0.005 of the diagonal
-  double coverage = 0.9;           // that the axes which are compared keep
+  std::optional<double> coverage;  // that the axes which are compared keep
 
   std::string method = "touching";
   std::string side = "inside";

@@ -9,10 +9,10 @@
 #include "errors.h"
 #include "text.h"
 
+#include <CGAL/Area_projection_transform/internal/diagonal_of.h>
 #include <CGAL/Area_projection_transform/medial_axis_comparison/axis_distances.h>
 #include <CGAL/Area_projection_transform/medial_axis_comparison/union_of_balls_mesh.h>
 
-#include <cmath>
 #include <stdexcept>
 #include <utility>
 
@@ -29,11 +29,8 @@ template <class Source>
 Reconstruction reconstruct(const Medial_result& result, const Source& source,
                            const Medial_options& options)
 {
-  const CGAL::Bbox_3 box = source.bbox();
   Reconstruction reconstruction;
-  reconstruction.diagonal =
-      std::sqrt(CGAL::square(box.xmax() - box.xmin()) + CGAL::square(box.ymax() - box.ymin()) +
-                CGAL::square(box.zmax() - box.zmin()));
+  reconstruction.diagonal = AP::internal::diagonal_of(source.bbox());
   if(result.kept.empty())
     return reconstruction;
   const double cell = options.cell.value_or(0.005 * reconstruction.diagonal);

@@ -38,14 +38,6 @@ double largest_radius(const Medial_result& result)
   return largest;
 }
 
-Json to_json(const AP::Betti_numbers& topology)
-{
-  return {{"components", topology.components},
-          {"loops", topology.loops},
-          {"cavities", topology.cavities},
-          {"euler_number", topology.euler_number()}};
-}
-
 std::string to_text(const AP::Betti_numbers& topology)
 {
   std::string text = counted(std::size_t(topology.components), "piece", "pieces") + ", " +
@@ -74,6 +66,14 @@ void report_connections(const Medial_result& result, Console& console)
 }
 
 } // namespace
+
+nlohmann::ordered_json to_json(const AP::Betti_numbers& topology)
+{
+  return {{"components", topology.components},
+          {"loops", topology.loops},
+          {"cavities", topology.cavities},
+          {"euler_number", topology.euler_number()}};
+}
 
 void report_parameters(const Medial_options& options, Console& console)
 {

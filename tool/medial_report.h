@@ -21,6 +21,7 @@ namespace mapt {
 struct Medial_result
 {
   std::vector<CGAL::Area_projection::Medial_ball> balls;
+  double seconds = 0;            // what it took to find them
   std::vector<std::size_t> kept; // positions in `balls`
   double tolerance = 0;
   double covered_by_all = 0, covered_by_kept = 0; // parts of the area
@@ -28,6 +29,8 @@ struct Medial_result
   double growth = 0;                              // of the balls, before they are connected
   std::optional<CGAL::Area_projection::Betti_numbers> shape; // nothing if it is not closed
 };
+
+nlohmann::ordered_json to_json(const CGAL::Area_projection::Betti_numbers& topology);
 
 void report_parameters(const Medial_options& options, Console& console);
 

@@ -113,6 +113,15 @@ class Medial(Test):
         self.assertLess(report["medial"]["kept"], 5)
         self.assertGreater(report["medial"]["covered_by_kept"], 0.99)
 
+    def test_see_what_gaps_hide(self):
+        points, faces = icosphere(4)
+        mesh = self.write("holed.off", off(points, faces[::2] + faces[1::4]))
+        seen = [numpy.median(read_balls(self.file)["mapt"]) for options in ((), ("--no-compensate",))
+                if self.succeed("medial", mesh, "-o", self.file, *options)]
+        # All of a sphere votes; a quarter of the faces is missing.
+        self.assertLess(abs(seen[0] - 1), 0.02)
+        self.assertLess(abs(seen[1] - 0.75), 0.02)
+
     def test_outside_of_a_sphere_are_none(self):
         result = self.succeed("medial", self.mesh, "-o", self.file, "--side", "outside")
         self.assertIn("no ball found", result.stderr)
@@ -222,6 +231,13 @@ class Medial(Test):
                 ([self.mesh, "--reconstruct", self.path / "m.off", "--cell", "1e-5"], WRONG_USAGE,
                  "--cell is 0.00001"),
                 ([self.mesh, "--coverage", "2"], WRONG_USAGE, "--coverage"),
+                ([self.mesh, "--coverage", "0.5"], WRONG_USAGE, "--compare"),
+                ([self.mesh, "--compare", self.path / "c.json", "--coverage", "0.5", "--balls",
+                  "3"], WRONG_USAGE, "--balls"),
+                ([self.mesh, "--compare", self.path / "c.json", "--prune", "1"], WRONG_USAGE,
+                 "--prune"),
+                ([self.mesh, "--compare", self.path / "c.json", "--select", "covering"],
+                 WRONG_USAGE, "--select"),
                 ([self.mesh, "--compare", self.path / "no" / "c.json"], OUTPUT_NOT_WRITTEN,
                  "no/c.json"),
                 ([self.path / "none.off"], UNUSABLE_INPUT, "none.off"),
@@ -257,6 +273,9 @@ class Comparison(Test):
             error = axis["reconstruction"]
             self.assertLessEqual(error["missing"]["mean"], error["missing"]["largest"])
             self.assertLess(error["protrusion"]["quantile_95"], 0.2 * 0.3)
+            correlation = axis["shape_diameter_correlation"]
+            if correlation is not None:  # unknown of balls that are all alike
+                self.assertLessEqual(abs(correlation), 1 + 1e-9)
             if name != "random":  # which runs out of balls that are apart
                 self.assertGreaterEqual(axis["coverage"], 0.9 - 1e-9)
             for other, distances in axis["distances"].items():

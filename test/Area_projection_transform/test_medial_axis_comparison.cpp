@@ -211,6 +211,33 @@ TEST(Ball_volume, is_the_same_for_any_number_of_threads)
   EXPECT_EQ(one.solid->error, many.solid->error);
 }
 
+TEST(Ball_volume, says_what_is_wrong)
+{
+  for(const std::size_t rows : {std::size_t(0), std::size_t(-1)})
+    EXPECT_NE(complaint([&] {
+                AP::ball_volume(balls_at({{0, 0, 0}}, {1}), AP::Triangle_surface(), 0, rows);
+              }).find("rows"),
+              std::string::npos);
+}
+
+TEST(Ball_volume, of_a_solid_is_unknown_where_lines_cannot_miss_its_edges)
+{
+  // At 2^53 numbers are apart by 2: each place within the cube of two steps is on an edge, or on a diagonal.
+  const double far = 0x1p53;
+  const AP::Triangle_surface cube =
+      surface_of(box(Point_3(far, far, 0), Point_3(far + 2, far + 2, 1)));
+  const Ball_volume volume = AP::ball_volume(balls_at({{far, far, 0}}, {1}), cube);
+  EXPECT_FALSE(volume.solid || volume.common || volume.overlap());
+}
+
+TEST(Medial_representation, names_balls_that_there_are)
+{
+  EXPECT_NE(
+      complaint([] { AP::medial_representation("axis", std::vector<AP::Medial_ball>(2), {2}); })
+          .find("selected"),
+      std::string::npos);
+}
+
 TEST(Surface_distance, is_that_from_the_triangles)
 {
   const AP::Triangle_surface cube = surface_of(box(Point_3(0, 0, 0), Point_3(1, 1, 1)));
@@ -530,6 +557,21 @@ TEST(Medial_axes, have_as_many_balls_as_are_asked_for)
     EXPECT_EQ(axis_of(axes, name).size(), 20u);
   EXPECT_EQ(complaint([&] { axis_of(axes, "unpruned"); }), "");
   EXPECT_TRUE(axes.left_out.empty()); // what was not asked for is not missed
+}
+
+TEST(Medial_axes, of_balls_that_there_are_are_the_same)
+{
+  const AP::Triangle_surface surface = surface_of(torus(1, 0.3, 40, 16));
+  Medial_axes_options options;
+  options.do_skeleton = false;
+  const Medial_axes found = AP::medial_axes(surface, options);
+  const Medial_axes given =
+      AP::medial_axes(surface, AP::medial_balls(surface, options.balls), 1000, options);
+  ASSERT_EQ(found.axes.size(), given.axes.size());
+  for(std::size_t i = 0; i < found.axes.size(); ++i) {
+    EXPECT_EQ(found.axes[i].centers, given.axes[i].centers);
+    EXPECT_EQ(given.axes[i].seconds >= 1000, given.axes[i].name != "centerlines");
+  }
 }
 
 TEST(Medial_axes, leave_out_what_cannot_be_made)

@@ -241,6 +241,23 @@ TEST(Medial_complex, of_all_medial_balls_has_the_topology_of_the_shape)
   }
 }
 
+TEST(Medial_complex, is_the_same_in_any_unit)
+{
+  const Balls balls = random_balls(60, 5);
+  const AP::Medial_complex expected = balls.complex(0.1);
+  for(const double unit : {0x1p-500, 0x1p-100, 0x1p100, 0x1p500, 0x1p1000}) {
+    Balls scaled = balls;
+    for(Point_3& center : scaled.centers)
+      center = Point_3(unit * center.x(), unit * center.y(), unit * center.z());
+    for(double& radius : scaled.radii)
+      radius *= unit;
+    const AP::Medial_complex complex = scaled.complex(0.1 * unit);
+    EXPECT_EQ(complex.vertices, expected.vertices);
+    EXPECT_EQ(complex.edges, expected.edges);
+    EXPECT_EQ(complex.triangles, expected.triangles);
+  }
+}
+
 TEST(Medial_complex, says_what_is_wrong)
 {
   const double nan = std::numeric_limits<double>::quiet_NaN();
@@ -250,6 +267,7 @@ TEST(Medial_complex, says_what_is_wrong)
   EXPECT_NE(of({{{0, 0, 0}}, {}}, 0).find("radii"), std::string::npos);
   EXPECT_NE(of({{{0, 0, 0}, {0, nan, 0}}, {1, 1}}, 0).find("ball 1"), std::string::npos);
   EXPECT_NE(of({{{0, 0, 0}}, {nan}}, 0).find("ball 0"), std::string::npos);
+  EXPECT_NE(of({{{0, 0, 0}}, {1e308}}, 1e308).find("ball 0"), std::string::npos);
   EXPECT_NE(of(on({{0, 0, 0}}, 1), -1).find("growth"), std::string::npos);
   EXPECT_NE(
       complaint([] { AP::medial_complex(std::vector<AP::Medial_ball>(2), {2}); }).find("selected"),

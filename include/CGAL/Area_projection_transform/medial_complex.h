@@ -13,6 +13,7 @@
 #include <CGAL/Area_projection_transform/medial_complex/Dual_complex.h>
 #include <CGAL/Area_projection_transform/medial_complex/collapse_tetrahedra.h>
 
+#include <algorithm>
 #include <array>
 #include <cmath>
 #include <cstddef>
@@ -36,6 +37,29 @@ struct Medial_complex
   Betti_numbers topology; ///< of the union of the balls, and of the complex
 };
 
+/// \cond SKIP_IN_MANUAL
+namespace internal {
+
+inline void check_selected(std::size_t i, const std::vector<Medial_ball>& balls)
+{
+  if(i >= balls.size())
+    throw std::invalid_argument("selected names ball " + std::to_string(i) + " of " +
+                                std::to_string(balls.size()));
+}
+
+/// the power of two that numbers are multiplied with, which rounds nothing, for the largest to be from 1 to 2.
+inline int exponent_to_unit(const std::vector<Point_3>& centers, const std::vector<double>& radii)
+{
+  double largest = 0;
+  for(std::size_t i = 0; i < centers.size(); ++i)
+    largest = std::max({largest, std::abs(centers[i].x()), std::abs(centers[i].y()),
+                        std::abs(centers[i].z()), std::abs(radii[i])});
+  return largest > 0 ? -std::ilogb(largest) : 0;
+}
+
+} // namespace internal
+/// \endcond
+
 /// \ingroup PkgAreaProjectionTransformMedialBalls
 /// \brief returns how balls are connected, so that the complex has the topology of their union, whatever they are.
 ///
@@ -49,8 +73,8 @@ struct Medial_complex
 /// \param centers of the balls
 /// \param radii of the balls; those without a positive radius have no part in it
 /// \param growth is added to each of these radii; not negative
-/// \throw std::invalid_argument if there are not as many radii as centres, one of all these numbers is not finite, or
-/// `growth` is negative
+/// \throw std::invalid_argument if there are not as many radii as centres, one of all these numbers is not finite, also
+/// after growth, or `growth` is negative
 ///
 /// Complexity: that of the regular triangulation, `O(n log n)` for balls along an axis; 100 000 balls take some
 /// seconds.
@@ -63,15 +87,25 @@ inline Medial_complex medial_complex(const std::vector<Point_3>& centers,
   if(centers.size() != radii.size())
     throw std::invalid_argument("radii has " + std::to_string(radii.size()) + " numbers for " +
                                 std::to_string(centers.size()) + " centers");
-  for(std::size_t i = 0; i < centers.size(); ++i)
-    if(!std::isfinite(centers[i].x() + centers[i].y() + centers[i].z() + radii[i]))
-      throw std::invalid_argument("ball " + std::to_string(i) + " is not finite");
+  std::vector<Point_3> places = centers;
   std::vector<double> grown = radii;
-  for(double& radius : grown)
-    if(radius > 0)
-      radius += growth;
-  internal::Dual_complex dual(centers, grown);
-  internal::collapse_tetrahedra(dual, centers, grown);
+  for(std::size_t i = 0; i < centers.size(); ++i) {
+    if(radii[i] > 0)
+      grown[i] += growth;
+    for(const double number : {centers[i].x(), centers[i].y(), centers[i].z(), grown[i]})
+      if(!std::isfinite(number))
+        throw std::invalid_argument("ball " + std::to_string(i) + " is not finite");
+  }
+  // Fourth powers of lengths must be numbers, whatever the unit.
+  const int exponent = internal::exponent_to_unit(places, grown);
+  for(std::size_t i = 0; i < centers.size(); ++i) {
+    const Point_3& c = centers[i];
+    places[i] = Point_3(std::ldexp(c.x(), exponent), std::ldexp(c.y(), exponent),
+                        std::ldexp(c.z(), exponent));
+    grown[i] = std::ldexp(grown[i], exponent);
+  }
+  internal::Dual_complex dual(places, grown);
+  internal::collapse_tetrahedra(dual, places, grown);
   return {dual.vertices, dual.edges, dual.triangles, dual.topology};
 }
 
@@ -87,9 +121,7 @@ inline Medial_complex medial_complex(const std::vector<Medial_ball>& balls,
   std::vector<Point_3> centers(balls.size(), Point_3(0, 0, 0));
   std::vector<double> radii(balls.size(), 0.); // what is not selected has none
   for(const std::size_t i : selected) {
-    if(i >= balls.size())
-      throw std::invalid_argument("selected names ball " + std::to_string(i) + " of " +
-                                  std::to_string(balls.size()));
+    internal::check_selected(i, balls);
     centers[i] = balls[i].center;
     radii[i] = balls[i].radius;
   }

@@ -52,8 +52,7 @@ struct Medial_representation
 /// \param growth of the balls for their connections, see `crack_width()`
 /// \param use_refitted whether balls are where the surface around them comes together
 /// (`Medial_ball::refitted_center`, `Medial_ball::refitted_radius`), which withstands noise, instead of where they touch
-/// \throw std::invalid_argument if `growth` is negative or not finite
-/// \throw std::out_of_range if one of `selected` is
+/// \throw std::invalid_argument if one of `selected` is out of range, or as `medial_complex()` does
 inline Medial_representation medial_representation(const std::string& name,
                                                    const std::vector<Medial_ball>& balls,
                                                    const std::vector<std::size_t>& selected,
@@ -62,7 +61,8 @@ inline Medial_representation medial_representation(const std::string& name,
   Medial_representation result;
   result.name = name;
   for(const std::size_t i : selected) {
-    const Medial_ball& ball = balls.at(i);
+    internal::check_selected(i, balls);
+    const Medial_ball& ball = balls[i];
     result.centers.push_back(use_refitted ? ball.refitted_center : ball.center);
     result.radii.push_back(use_refitted ? ball.refitted_radius : ball.radius);
   }

@@ -21,6 +21,8 @@
 #include <limits>
 #include <optional>
 #include <random>
+#include <stdexcept>
+#include <string>
 #include <utility>
 #include <vector>
 
@@ -41,7 +43,7 @@ struct Ball_volume
 {
   Estimated_volume balls; ///< the volume of the union
   std::optional<Estimated_volume>
-      solid; ///< that of the solid; nothing if the surface is not closed
+      solid; ///< that of the solid; nothing if the surface is not closed, or so far from 0 that rounding hides it
   std::optional<Estimated_volume>
       common; ///< of the part of the balls that is in the solid; the same
 
@@ -206,27 +208,37 @@ struct Sums_of_pairs
   }
 };
 
-/// the lengths, on a line by chance in a cell, of the balls, of the solid, and of what is common.
+/// \brief the lengths, on a line by chance in a cell, of the balls, of the solid, and of what is common.
+///
+/// Those that need the solid are not numbers if all lines go through edges, which are where coordinates are too large to tell
+/// places between them.
 inline std::array<double, 3> lengths_on_a_line(const Line_scene& scene, const Line_scene::Row& row,
                                                double low_x, double low_y, double width,
                                                double height, std::mt19937_64& random)
 {
+  constexpr int attempts = 8;
+  constexpr double unknown = std::numeric_limits<double>::quiet_NaN();
   const auto uniform = [&random] { return double(random() >> 11) * 0x1p-53; };
-  for(int attempt = 0; attempt < 8; ++attempt) {
+  for(int attempt = 1;; ++attempt) {
     const double x = low_x + width * uniform(), y = low_y + height * uniform();
     const std::optional<Intervals> solid = scene.in_solid(row, x, y);
-    if(!solid)
+    if(!solid && attempt < attempts)
       continue;
     const Intervals balls = scene.in_balls(row, x, y);
+    if(!solid)
+      return {length_of(balls), unknown, unknown};
     return {length_of(balls), length_of(*solid), common_length(balls, *solid)};
   }
-  return {};
 }
 
 template <class ConcurrencyTag>
 Ball_volume ball_volume(const Medial_representation& axis, const Triangle_surface* solid,
                         std::size_t rows, std::uint64_t seed)
 {
+  constexpr std::size_t most = 1 << 16;
+  if(rows < 1 || rows > most)
+    throw std::invalid_argument("rows is " + std::to_string(rows) + ": must be from 1 to " +
+                                std::to_string(most));
   Ball_volume result;
   const Line_scene scene(axis, solid);
   const Bbox_3 box = scene.bbox();
@@ -254,7 +266,7 @@ Ball_volume ball_volume(const Medial_representation& axis, const Triangle_surfac
   for(Estimated_volume& volume : volumes)
     volume.error = std::sqrt(volume.error);
   result.balls = volumes[0];
-  if(solid) {
+  if(solid && std::isfinite(volumes[1].value)) {
     result.solid = volumes[1];
     result.common = volumes[2];
   }
@@ -275,7 +287,8 @@ Ball_volume ball_volume(const Medial_representation& axis, const Triangle_surfac
 /// \param axis the balls
 /// \param surface if it is not closed, only the balls are measured
 /// \param seed another seed, other lines; the same on every platform
-/// \param rows of cells along each of two axes, positive
+/// \param rows of cells along each of two axes, from 1 to 65 536
+/// \throw std::invalid_argument if `rows` is not in its range
 ///
 /// Complexity: `rows²` times the number of balls and triangles that a line of a row can meet
 template <class ConcurrencyTag = CGAL::Sequential_tag>

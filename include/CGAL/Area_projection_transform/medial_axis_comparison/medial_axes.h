@@ -8,6 +8,7 @@
 #define CGAL_AREA_PROJECTION_TRANSFORM_MEDIAL_AXIS_COMPARISON_MEDIAL_AXES_H
 
 #include <CGAL/Area_projection_transform/centerlines.h>
+#include <CGAL/Area_projection_transform/internal/diagonal_of.h>
 #include <CGAL/Area_projection_transform/medial_axis_comparison/Medial_representation.h>
 #include <CGAL/Area_projection_transform/medial_axis_comparison/mean_curvature_skeleton.h>
 #include <CGAL/Area_projection_transform/medial_balls.h>
@@ -62,28 +63,20 @@ struct Medial_axes
 /// \cond SKIP_IN_MANUAL
 namespace internal {
 
-inline double diagonal_of(const Bbox_3& box)
-{
-  const double x = box.xmax() - box.xmin(), y = box.ymax() - box.ymin(),
-               z = box.zmax() - box.zmin();
-  return std::sqrt(x * x + y * y + z * z);
-}
-
 /// makes medial axes of a surface, one after the other.
 template <class ConcurrencyTag, class Source>
 class Axes_maker
 {
 public:
-  Axes_maker(const Source& surface, const Medial_axes_options& options)
-      : m_surface(surface), m_options(options)
+  Axes_maker(const Source& surface, const std::vector<Medial_ball>& balls, double seconds_of_balls,
+             const Medial_axes_options& options)
+      : m_surface(surface), m_options(options), m_balls(balls), m_seconds_of_balls(seconds_of_balls)
   {
     m_result.tolerance = options.tolerance.value_or(0.005 * diagonal_of(surface.bbox()));
   }
 
   Medial_axes make()
   {
-    m_balls = medial_balls<ConcurrencyTag>(m_surface, m_options.balls);
-    m_seconds_of_balls = seconds();
     m_growth = crack_width(m_surface.total_area(), m_balls.size());
     std::vector<std::size_t> all(m_balls.size());
     std::iota(all.begin(), all.end(), std::size_t(0));
@@ -173,8 +166,8 @@ private:
 
   const Source& m_surface;
   const Medial_axes_options& m_options;
-  std::vector<Medial_ball> m_balls;
-  double m_seconds_of_balls = 0, m_growth = 0;
+  const std::vector<Medial_ball>& m_balls;
+  double m_seconds_of_balls, m_growth = 0;
   std::chrono::steady_clock::time_point m_start = std::chrono::steady_clock::now();
   Medial_axes m_result;
 };
@@ -194,18 +187,35 @@ inline void check(const Medial_axes_options& options)
 /// \endcond
 
 /// \ingroup PkgAreaProjectionTransformMedialComparison
-/// \brief makes the medial axes of a surface that are worth comparing.
+/// \brief makes the medial axes of a surface that are worth comparing, of balls that there are.
 ///
 /// Balls are connected after they grew by `crack_width()`. A surface without extent has no axes.
 /// \tparam Source `Triangle_surface` or `Surfels`
+/// \param surface what the balls are of
+/// \param balls all of them, as `medial_balls()` finds them with `options.balls`
+/// \param seconds what it took to find them, which the times of the axes include
+/// \param options the choices
 /// \throw std::invalid_argument if an option is out of its range
 template <class ConcurrencyTag = CGAL::Sequential_tag, class Source>
-Medial_axes medial_axes(const Source& surface, const Medial_axes_options& options = {})
+Medial_axes medial_axes(const Source& surface, const std::vector<Medial_ball>& balls,
+                        double seconds, const Medial_axes_options& options = {})
 {
   internal::check(options);
   if(surface.empty() || !(internal::diagonal_of(surface.bbox()) > 0))
     return {};
-  return internal::Axes_maker<ConcurrencyTag, Source>(surface, options).make();
+  return internal::Axes_maker<ConcurrencyTag, Source>(surface, balls, seconds, options).make();
+}
+
+/// \ingroup PkgAreaProjectionTransformMedialComparison
+/// \brief finds the balls, too.
+template <class ConcurrencyTag = CGAL::Sequential_tag, class Source>
+Medial_axes medial_axes(const Source& surface, const Medial_axes_options& options = {})
+{
+  internal::check(options);
+  const auto start = std::chrono::steady_clock::now();
+  const std::vector<Medial_ball> balls = medial_balls<ConcurrencyTag>(surface, options.balls);
+  const std::chrono::duration<double> passed = std::chrono::steady_clock::now() - start;
+  return medial_axes<ConcurrencyTag>(surface, balls, passed.count(), options);
 }
 
 } // namespace Area_projection

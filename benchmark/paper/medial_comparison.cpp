@@ -4,20 +4,20 @@
 //
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-// What medial axes, skeletons and centrelines of meshes are worth, and what is left of them when the surface changes.
+// What medial axes, skeletons and centrelines of meshes are worth, and what they take.
 
 #include "figures.h"
-#include "remeshing.h"
+#include "medial_stability.h"
+#include "peak_growth.h"
 #include "shapes.h"
 
 #include <CGAL/Area_projection_transform/medial_axis_comparison.h>
 #include <CGAL/Area_projection_transform/surfels_from_mesh.h>
 
-#include <algorithm>
 #include <cmath>
 #include <functional>
-#include <map>
 #include <string>
+#include <utility>
 #include <vector>
 
 namespace Paper {
@@ -26,7 +26,6 @@ namespace {
 
 namespace AP = CGAL::Area_projection;
 using AP::Medial_representation;
-using Benchmarks::Parameters;
 using Benchmarks::Row;
 using Tag = CGAL::Parallel_if_available_tag;
 
@@ -63,12 +62,16 @@ void compare_axes(const Mesh& mesh, const Options& options, Benchmarks::Report& 
   for(std::size_t i = 0; i < axes.axes.size(); ++i) {
     const Medial_representation& axis = axes.axes[i];
     const AP::Medial_measures m = judge.measure<Tag>(axis);
+    const auto& outside = m.reconstruction.protrusion;
+    const double protrusion = outside ? outside->largest : std::nan("");
     rows.push_back(row("medial", "axes", axis.name, {{"mesh", mesh.name}, {"coverage", 0.9}},
                        finite({{"balls", double(axis.size())},
                                {"covers", m.coverage},
                                {"fills", m.volume.overlap().value_or(std::nan(""))},
                                {"pieces", double(axis.topology->components)},
                                {"loops", double(axis.topology->loops)},
+                               {"lacks %", 100 * m.reconstruction.missing.mean / diagonal},
+                               {"sticks %", 100 * protrusion / diagonal},
                                {"radius error", m.radius_error.quantile_95},
                                {"aside", m.off_centre.quantile_95},
                                {"there %", 100 * distances[i][0].largest / diagonal},
@@ -102,78 +105,25 @@ void compare_selections(const Mesh& mesh, const Options& options, Benchmarks::Re
   }
 }
 
-/// something that changes a surface but hardly its shape, and what undoes it for points.
-struct Change
+/// what it takes to find medial balls in two ways, centrelines and the skeleton, each in a process of its own.
+void compare_memory(const Mesh& mesh, Benchmarks::Report& report)
 {
-  const char* name;
-  double stop_angle; ///< for the balls, before and after
-  std::function<Soup(const Soup&, std::uint64_t seed)> apply;
-  std::function<Point_3(const Point_3&)> undo = [](const Point_3& p) { return p; };
-};
-
-std::vector<Change> changes(const Options& options)
-{
-  // Displaced within balls of that many edges, about.
-  const auto noisy = [](double amount) {
-    return [amount](const Soup& soup, std::uint64_t seed) {
-      return add_noise(soup, amount / std::sqrt(5.), seed);
-    };
-  };
-  std::vector<Change> all{
-      {"noise 0.1", 45, noisy(0.1)},
-      {"noise 0.3", 45, noisy(0.3)},
-      {"half of the faces", 20,
-       [](const Soup& soup, std::uint64_t seed) { return remove_random_faces(soup, 0.5, seed); }},
-      {"remeshed", 20,
-       [](const Soup& soup, std::uint64_t) {
-         return remeshed(soup, 0.8 * mean_edge_length(soup));
-       }},
-      {"turned", 20,
-       [](Soup soup, std::uint64_t) {
-         for(Point_3& p : soup.points)
-           p = turned(p);
-         return soup;
-       },
-       [](const Point_3& p) { return turned(p, true); }}};
-  if(options.is_quick)
-    all.erase(all.begin(), all.end() - 1);
-  return all;
-}
-
-AP::Medial_axes axes_of(const Soup& soup, double stop_angle, double tolerance,
-                        const Options& options)
-{
-  AP::Medial_axes_options choices;
-  choices.balls.stop_angle = stop_angle;
-  choices.seed = options.seed;
-  choices.tolerance = tolerance;
-  return AP::medial_axes<Tag>(surface_of(soup), choices);
-}
-
-/// how far axes move when the surface changes, each pruned to the same coverage before and after.
-void compare_stability(const Mesh& mesh, const Change& change, const AP::Medial_axes& before,
-                       const Options& options, Benchmarks::Report& report)
-{
-  const double diagonal = diagonal_of(mesh.soup);
-  AP::Medial_axes after =
-      axes_of(change.apply(mesh.soup, options.seed), change.stop_angle, before.tolerance, options);
+  const AP::Triangle_surface surface = surface_of(mesh.soup);
+  AP::Medial_ball_options polar;
+  polar.method = AP::Medial_ball_method::POLAR;
+  const std::pair<const char*, std::function<void()>> works[] = {
+      {"touching balls", [&] { AP::medial_balls(surface); }},
+      {"polar balls", [&] { AP::medial_balls(surface, polar); }},
+      {"centerlines", [&] { AP::centerlines(surface); }},
+      {"skeleton", [&] {
+         if(AP::skeleton_obstacle(surface).empty())
+           AP::mean_curvature_skeleton(surface);
+       }}};
   std::vector<Row> rows;
-  for(Medial_representation& axis : after.axes) {
-    const auto same = std::find_if(before.axes.begin(), before.axes.end(),
-                                   [&axis](const auto& other) { return other.name == axis.name; });
-    if(same == before.axes.end())
-      continue;
-    std::transform(axis.centers.begin(), axis.centers.end(), axis.centers.begin(), change.undo);
-    const AP::Axis_distances moved = AP::axis_distances<Tag>(*same, axis, before.tolerance);
-    rows.push_back(row(
-        "medial", "stability", axis.name, {{"mesh", mesh.name}, {"change", change.name}},
-        finite(
-            {{"Hausdorff %", 100 * moved.hausdorff() / diagonal},
-             {"95 %", 100 * std::max(moved.there.quantile_95, moved.back.quantile_95) / diagonal},
-             {"mean %", 50 * (moved.there.mean + moved.back.mean) / diagonal},
-             {"pieces", double(axis.topology->components)},
-             {"loops", double(axis.topology->loops)}})));
-  }
+  for(const auto& [name, work] : works)
+    rows.push_back(row("medial", "memory", name,
+                       {{"mesh", mesh.name}, {"faces", mesh.soup.triangles.size()}},
+                       {{"peak MB", peak_growth(work) / 1e6}}));
   publish(rows, report);
 }
 
@@ -188,22 +138,19 @@ void medial_comparison(const Options& options, Benchmarks::Report& report)
       "balls and shape over that of either; radius error and aside: 95th percentiles of |r - "
       "d| / r and of a / (a + d), where d is the distance from the surface and a that from "
       "the unpruned axis; there and back: the largest distance to and from the unpruned axis, "
-      "in % of the diagonal. Stability: how far each axis moves, both ways, when the surface "
-      "changes; each covers 90 % before and after.");
+      "in % of the diagonal; lacks and sticks: how far the surface is from the balls, in the mean, "
+      "and how far they stick out of it at most, in the same. Stability: how far each axis moves, "
+      "both ways, when the surface changes, in the mean of the seeds and in the worst case; each "
+      "covers 90 % before and after.");
   const std::vector<Mesh> meshes =
       options.is_quick ? std::vector<Mesh>{{"cylinder", cylinder(1, 6, 24, 24)}}
                        : read_meshes(options, {"hand.obj", "human_woman.obj", "scorpion_low.obj"});
   for(const Mesh& mesh : meshes) {
     compare_axes(mesh, options, report);
     compare_selections(mesh, options, report);
-    std::map<double, AP::Medial_axes> before; // by the stop angle
-    for(const Change& change : changes(options)) {
-      AP::Medial_axes& axes = before[change.stop_angle];
-      if(axes.axes.empty())
-        axes = axes_of(mesh.soup, change.stop_angle, 0.005 * diagonal_of(mesh.soup), options);
-      compare_stability(mesh, change, axes, options, report);
-    }
+    compare_memory(mesh, report);
   }
+  medial_stability(meshes, options, report);
 }
 
 } // namespace Paper

@@ -183,9 +183,9 @@ class Medial(Test):
             file = self.path / f"again.{extension}"
             report = self.report("medial", self.mesh, "--reconstruct", file, "--cell", "0.1")
             self.assertIn(str(file), report["outputs"])
-            mesh = self.report("info", file)["mesh"]
+            mesh = self.report("info", file)
             self.assertEqual(mesh["faces"], report["reconstruction"]["faces"])
-            self.assertTrue(mesh["closed"], extension)
+            self.assertTrue(mesh["is_closed"], extension)
             # A sphere within the sagitta of cells, cell² / 2r, and what facets and balls are off.
             self.assertLess(abs(mesh["volume"] - 4 * math.pi / 3), 4 * math.pi * 0.02)
         error = report["reconstruction"]["error"]

@@ -232,10 +232,10 @@ TEST(Ball_volume, of_a_solid_is_unknown_where_lines_cannot_miss_its_edges)
 
 TEST(Medial_representation, names_balls_that_there_are)
 {
-  EXPECT_NE(
-      complaint([] { AP::medial_representation("axis", std::vector<AP::Medial_ball>(2), {2}); })
-          .find("selected"),
-      std::string::npos);
+  EXPECT_NE(complaint([] {
+              AP::medial_representation("axis", std::vector<AP::Medial_ball>(2), {2});
+            }).find("selected"),
+            std::string::npos);
 }
 
 TEST(Surface_distance, is_that_from_the_triangles)

@@ -422,6 +422,18 @@ TEST(Medial_balls, of_long_thin_things_are_not_more_than_of_others)
   }
 }
 
+// Places on the surface are bounded, too: a vertex far away made 30 million of 20 000.
+TEST(Selected_balls, are_asked_for_no_more_places_on_long_thin_things)
+{
+  for(const double far : {1e3, 1e9}) {
+    Soup soup = icosphere(2);
+    soup.points[0] = CGAL::ORIGIN + far * (soup.points[0] - CGAL::ORIGIN);
+    const AP::internal::Covered_surface places(surface_of(soup), 20000, 0.01);
+    EXPECT_LT(places.size(), 2u * (6u * 20000u + soup.triangles.size())) << far;
+    EXPECT_NEAR(places.total_area() / surface_of(soup).total_area(), 1, 1e-9);
+  }
+}
+
 TEST(Medial_balls, tell_their_progress_and_stop_when_they_are_told_to)
 {
   const AP::Triangle_surface hand = surface_of(bundled_mesh("hand.obj"));

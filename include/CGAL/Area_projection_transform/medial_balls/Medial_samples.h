@@ -11,6 +11,7 @@
 #include <CGAL/Area_projection_transform/Triangle_surface.h>
 #include <CGAL/Area_projection_transform/internal/eigen_vectors.h>
 #include <CGAL/Area_projection_transform/medial_balls/Medial_ball.h>
+#include <CGAL/Area_projection_transform/medial_balls/bounded_spacing.h>
 #include <CGAL/Area_projection_transform/medial_balls/crease_normals.h>
 
 #include <Eigen/Core>
@@ -77,22 +78,7 @@ private:
 inline double medial_spacing(const Triangle_surface& surface)
 {
   const double number = std::max(double(surface.size()), 8000.);
-  double spacing = 1.5 * std::sqrt(surface.total_area() / number);
-  const auto number_of_samples = [&surface](double s) {
-    double sum = 0;
-    for(std::size_t t = 0; t < surface.size(); ++t) {
-      double longest = 0;
-      for(int i = 0; i < 3; ++i)
-        longest = std::max(longest,
-                           squared_distance(surface.corner(t, i), surface.corner(t, (i + 1) % 3)));
-      // Needles are halved along both of their long edges: they take more pieces than their area tells.
-      sum += 1 + (2 * surface.areas[t] + 0.05 * longest) / (s * s);
-    }
-    return sum;
-  };
-  while(std::isnormal(spacing) && number_of_samples(spacing) > 6 * number)
-    spacing *= 1.3;
-  return spacing;
+  return bounded_spacing(surface, 1.5 * std::sqrt(surface.total_area() / number), 6 * number);
 }
 
 inline Medial_samples::Medial_samples(const Triangle_surface& surface,

@@ -12,6 +12,7 @@
 #include <CGAL/Area_projection_transform/internal/Cell_list.h>
 #include <CGAL/Area_projection_transform/internal/eigen_vectors.h>
 #include <CGAL/Area_projection_transform/medial_balls/Medial_ball.h>
+#include <CGAL/Area_projection_transform/medial_balls/bounded_spacing.h>
 #include <CGAL/Area_projection_transform/scales.h>
 
 #include <Eigen/Core>
@@ -90,7 +91,8 @@ public:
     const double area = surface.total_area();
     if(!(area > 0))
       return;
-    const double spacing = std::sqrt(area / double(number));
+    const double most = double(surface.size()) + 6 * double(number);
+    const double spacing = bounded_spacing(surface, std::sqrt(area / double(number)), most);
     surface.for_each_batch(spacing, [&](const Surfels& batch) {
       for(std::size_t i = 0; i < batch.size(); ++i) {
         m_points.push_back(to_eigen(batch.positions[i]));

@@ -180,12 +180,13 @@ void check(const Medial_options& options)
     throw Usage_error("--coverage has nothing to select: it is of the axes that --compare writes");
   if(options.coverage && options.balls)
     throw Usage_error("--coverage and --balls both tell how many balls to compare: give one");
-  const bool is_comparing_only =
-      !options.compare.empty() && options.output.empty() && options.picture.empty();
+  const bool is_comparing_only = !options.compare.empty() && options.output.empty() &&
+                                 options.picture.empty() && options.reconstruct.empty();
   if(is_comparing_only && (options.prune || options.select != "strongest"))
-    throw Usage_error("--compare selects by all weights, not by " +
-                      std::string(options.prune ? "--prune" : "--select") +
-                      ": name a file for what that keeps with --output or --picture");
+    throw Usage_error(
+        "--compare selects by all weights, not by " +
+        std::string(options.prune ? "--prune" : "--select") +
+        ": name a file for what that keeps with --output, --picture or --reconstruct");
 }
 
 } // namespace

@@ -151,7 +151,8 @@ public:
   {
     std::vector<std::pair<double, int>> crossings;
     for(const std::size_t t : row.triangles)
-      add_crossing(t, x, y, crossings);
+      if(!add_crossing(t, x, y, crossings))
+        return std::nullopt;
     std::sort(crossings.begin(), crossings.end());
     Intervals intervals;
     int winding = 0;
@@ -179,7 +180,8 @@ private:
     return a < b ? of_ascending(a, b) : -of_ascending(b, a);
   }
 
-  void add_crossing(std::size_t t, double x, double y,
+  /// returns whether the line goes through no edge of the triangle.
+  bool add_crossing(std::size_t t, double x, double y,
                     std::vector<std::pair<double, int>>& crossings) const
   {
     const Point_3 &a = m_solid->corner(t, 0), &b = m_solid->corner(t, 1),
@@ -188,6 +190,9 @@ private:
     const bool is_above = u > 0 && v > 0 && w > 0, is_below = u < 0 && v < 0 && w < 0;
     if(is_above || is_below) // seen from above it turns left where the solid ends
       crossings.emplace_back((u * a.z() + v * b.z() + w * c.z()) / (u + v + w), is_above ? -1 : 1);
+    const bool is_on_edge = !is_above && !is_below && u + v + w != 0 &&
+                            (std::min({u, v, w}) >= 0 || std::max({u, v, w}) <= 0);
+    return !is_on_edge;
   }
 
   const Medial_representation& m_balls;

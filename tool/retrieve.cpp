@@ -11,6 +11,7 @@
 #include "errors.h"
 #include "input.h"
 #include "map_file.h"
+#include "progress.h"
 #include "retrieve_files.h"
 #include "retrieve_options.h"
 #include "retrieve_report.h"
@@ -141,12 +142,15 @@ void write_files(const AP::IO::Named_descriptors& shapes,
                  const AP::Relevant_ranks& ranks, const AP::Class_labels& labels,
                  const Retrieve_options& options, Console& console)
 {
+  // Before, nothing is lost if a signal ends the program.
+  const Signal_watch signals;
   auto& outputs = console.report["outputs"] = nlohmann::ordered_json::array();
   if(distances) {
     write_distances(options.distances, shapes.names, *distances);
     outputs.push_back(options.distances);
   }
   if(!options.precision_recall.empty()) {
+    Signal_watch::check();
     write_precision_recall(options.precision_recall, ranks, labels, options.smallest_class);
     outputs.push_back(options.precision_recall);
   }

@@ -8,6 +8,7 @@
 
 #include "input.h"
 #include "map_file.h"
+#include "progress.h"
 
 #include <CGAL/Area_projection_transform/IO/CSV.h>
 #include <CGAL/Area_projection_transform/IO/class_labels.h>
@@ -90,6 +91,7 @@ void write_distances(const std::string& file, const std::vector<std::string>& na
     table.field(name);
   table.end_row();
   for(std::size_t i = 0; i < names.size(); ++i) {
+    Signal_watch::check(); // one that came meanwhile leaves nothing behind
     table.field(names[i]);
     for(std::size_t j = 0; j < names.size(); ++j)
       table.field(distances[i][j]);

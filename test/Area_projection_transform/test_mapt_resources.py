@@ -137,10 +137,24 @@ class Signals(Limited):
             self.assertEqual(self.files(), before)
 
     def test_at_any_time(self):
-        """Before, while and after a file is written: it is whole or not there."""
         at = self.queries(50000)
         output = self.path / "o.csv"
-        arguments = [MAPT, "evaluate", self.sphere, "--at", at, "-j", "1", "-q", "-o", output]
+        self.interrupt_often(output, "evaluate", self.sphere, "--at", at, "-j", "1", "-q", "-o", output)
+
+    def test_at_any_time_of_a_matrix(self):
+        generator = random.Random(4)
+        table = self.path / "table.csv"
+        with table.open("w", encoding="utf-8") as file:
+            file.write("file," + ",".join(f"h{i}" for i in range(12)) + "\n")
+            for row in range(1000):
+                counts = [generator.random() for _ in range(12)]
+                file.write(f"{row}.off," + ",".join(repr(c / sum(counts)) for c in counts) + "\n")
+        output = self.path / "distances.csv"
+        self.interrupt_often(output, "retrieve", table, "-q", "--distances", output)
+
+    def interrupt_often(self, output, *arguments):
+        """Before, while and after a file is written: it is whole or not there."""
+        arguments = [MAPT, *arguments]
         start = time.monotonic()
         subprocess.run(arguments, check=True, timeout=120)
         duration = time.monotonic() - start

@@ -171,7 +171,7 @@ class Smoke(unittest.TestCase):
         page = (folder / "paper.md").read_text(encoding="utf-8")
         shown = set(re.findall(r"\]\((fig/.*?\.svg)\)", page))
         self.assertEqual(shown, {f"fig/{figure.name}" for figure in (folder / "fig").iterdir()})
-        self.assertEqual(len(shown), 13)
+        self.assertEqual(len(shown), 15)
         for figure in shown:
             xml.etree.ElementTree.parse(folder / figure)
 

@@ -508,4 +508,18 @@ TEST(Facade, names_the_argument_that_is_out_of_range)
   EXPECT_EQ(at(1, -2), "sigma is -2.000000: must be positive and finite");
 }
 
+// Where the shape is smaller than places are rounded to, it is within the ball or not, but no more than all of it.
+TEST(Area_projection_transform, is_a_part_of_the_area_at_any_radius)
+{
+  const shapes::Soup ball = shapes::icosphere(2);
+  const Mesh mesh = shapes::mesh_of<Mesh>(ball);
+  for(const double radius : {1e8, 1e15, 1e17, 1e40, 1e88})
+    for(const double share : {0.2, 0.5, 1.}) {
+      const Point_3 x(-share * radius, share * radius, -share * radius);
+      const double value = AP::area_projection_transform(mesh, x, radius, radius);
+      EXPECT_GE(value, 0) << radius;
+      EXPECT_LE(value, ball.area() * (1 + 1e-12)) << radius;
+    }
+}
+
 } // namespace

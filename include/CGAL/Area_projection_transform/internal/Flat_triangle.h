@@ -75,7 +75,8 @@ struct Flat_triangle
       in_plane[i] = {v * x_axis, v * y_axis};
     }
     const double area = 0.5 * doubled_area;
-    return triangle_disk_area(in_plane, std::sqrt(squared_disk), area) / area;
+    // As far away as 2^53 edges the corners are rounded to a triangle of any size.
+    return std::clamp(triangle_disk_area(in_plane, std::sqrt(squared_disk), area) / area, 0., 1.);
   }
 
   Point_3 centroid() const { return CGAL::centroid(corners[0], corners[1], corners[2]); }

@@ -159,7 +159,8 @@ void add_computation(CLI::App& app, Medial_options& options)
   add_thread_option(app, options.common);
 }
 
-void check(const Medial_options& options)
+// What contradicts itself, or would be without effect.
+void check(const CLI::App& app, const Medial_options& options)
 {
   if(!options.output.empty())
     check_extension("--output", options.output, {".ply"});
@@ -176,6 +177,10 @@ void check(const Medial_options& options)
     throw Usage_error("--kept-only has nothing to write: name a file with --output");
   if(options.select == "random" && !options.balls)
     throw Usage_error("--select random needs a number: give --balls");
+  if(app.count("--weight") > 0 && !options.prune &&
+     !(options.balls && options.select == "strongest"))
+    throw Usage_error("--weight selects nothing by itself: give --prune, or --balls for the "
+                      "strongest");
   if(options.coverage && options.compare.empty())
     throw Usage_error("--coverage has nothing to select: it is of the axes that --compare writes");
   if(options.coverage && options.balls)
@@ -216,7 +221,7 @@ bool read_options(const std::vector<std::string>& arguments, Console& console,
   add_console_options(app, console);
   if(!parse(app, arguments))
     return false;
-  check(options);
+  check(app, options);
   options.computation.method =
       options.method == "polar" ? AP::Medial_ball_method::POLAR : AP::Medial_ball_method::TOUCHING;
   options.computation.side = options.side == "inside" ? AP::Side::INSIDE : AP::Side::OUTSIDE;

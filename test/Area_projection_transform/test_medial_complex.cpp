@@ -10,6 +10,7 @@
 
 #include <CGAL/Area_projection_transform/medial_axis_comparison/shape_topology.h>
 #include <CGAL/Area_projection_transform/medial_balls.h>
+#include <CGAL/Area_projection_transform/medial_balls/select_connecting.h>
 #include <CGAL/Area_projection_transform/medial_complex.h>
 
 #include <Eigen/Dense>
@@ -272,6 +273,64 @@ TEST(Medial_complex, says_what_is_wrong)
   EXPECT_NE(
       complaint([] { AP::medial_complex(std::vector<AP::Medial_ball>(2), {2}); }).find("selected"),
       std::string::npos);
+}
+
+std::vector<AP::Medial_ball> balls_of_radius_1(const std::vector<double>& places)
+{
+  std::vector<AP::Medial_ball> balls(places.size());
+  for(std::size_t i = 0; i < places.size(); ++i) {
+    balls[i].center = Point_3(places[i], 0, 0);
+    balls[i].radius = 1;
+  }
+  return balls;
+}
+
+TEST(Select_connecting, takes_few_stepping_stones)
+{
+  std::vector<double> places;
+  for(int i = 0; i <= 40; ++i)
+    places.push_back(0.25 * i);
+  const auto balls = balls_of_radius_1(places);
+  // From 0 to 10 in steps of 2, at which balls touch: at 2, 4, 6, 8.
+  EXPECT_EQ(AP::select_connecting(balls, {0, 40}, 0.01),
+            (std::vector<std::size_t>{0, 40, 8, 16, 24, 32}));
+  EXPECT_EQ(AP::select_connecting(balls, {40, 3, 0}, 0.01),
+            (std::vector<std::size_t>{40, 3, 0, 11, 19, 27, 35}));
+  EXPECT_EQ(AP::select_connecting(balls, {7}, 0.01), std::vector<std::size_t>{7});
+  EXPECT_TRUE(AP::select_connecting(balls, {}, 0.01).empty());
+  EXPECT_NE(complaint([&] { AP::select_connecting(balls, {41}); }).find("41"), std::string::npos);
+}
+
+TEST(Select_connecting, joins_what_is_joined_only)
+{
+  auto balls = balls_of_radius_1({0, 1, 2, 3, 100, 101, 102, 103});
+  EXPECT_EQ(AP::select_connecting(balls, {0, 3, 4, 7}),
+            (std::vector<std::size_t>{0, 3, 4, 7, 2, 6}));
+  // One within others, which is no vertex of their complex, is where these are.
+  balls.push_back(balls[1]);
+  balls.back().radius = 0.5;
+  EXPECT_EQ(AP::select_connecting(balls, {0, 1, 8}), (std::vector<std::size_t>{0, 1, 8}));
+  EXPECT_EQ(AP::select_connecting(balls, {3, 8}), (std::vector<std::size_t>{3, 8, 2}));
+}
+
+TEST(Select_connecting, makes_one_piece_of_each_of_a_shape)
+{
+  const std::vector<std::pair<Soup, long>> shapes{
+      {joined(torus(1, 0.3, 80, 24), icosphere(3, Point_3(0, 0, 3))), 2},
+      {bundled_mesh("human_woman.obj"), 1},
+      {bundled_mesh("scorpion_low.obj"), 1}};
+  for(const auto& [soup, pieces] : shapes) {
+    const AP::Triangle_surface surface = surface_of(soup);
+    const auto balls = AP::medial_balls<Parallel>(surface);
+    const double growth = AP::crack_width(surface.total_area(), balls.size());
+    for(const std::size_t number : {4, 30, 120}) {
+      const auto some = AP::select_random(balls, number, number);
+      const auto joined = AP::select_connecting(balls, some, growth);
+      EXPECT_EQ(AP::medial_complex(balls, joined, growth).topology.components, pieces);
+      EXPECT_TRUE(std::equal(some.begin(), some.end(), joined.begin()));
+      EXPECT_EQ(std::set<std::size_t>(joined.begin(), joined.end()).size(), joined.size());
+    }
+  }
 }
 
 TEST(Shape_topology, counts_pieces_handles_and_cavities)

@@ -26,8 +26,10 @@
 #include <CGAL/Area_projection_transform/internal/diagonal_of.h>
 #include <CGAL/Area_projection_transform/medial_axis_comparison/shape_topology.h>
 #include <CGAL/Area_projection_transform/medial_balls/select_balls.h>
+#include <CGAL/Area_projection_transform/medial_balls/select_connecting.h>
 #include <CGAL/Area_projection_transform/medial_complex.h>
 
+#include <algorithm>
 #include <limits>
 #include <string>
 #include <utility>
@@ -35,6 +37,22 @@
 namespace mapt {
 
 namespace {
+
+// Those that cover the most and those that join them, no more than so many.
+template <class Source>
+std::vector<std::size_t> select_connected(const std::vector<AP::Medial_ball>& balls,
+                                          const Source& source, double tolerance, double growth,
+                                          std::size_t number)
+{
+  std::vector<std::size_t> covering = AP::select_covering(balls, source, tolerance, number);
+  std::vector<std::size_t> all = AP::select_connecting(balls, covering, growth);
+  while(all.size() > number) { // one alone has nothing to join
+    Signal_watch::check();
+    covering.resize(covering.size() - std::min(covering.size() - 1, all.size() - number));
+    all = AP::select_connecting(balls, covering, growth);
+  }
+  return all;
+}
 
 // Of the balls that are not pruned, those that --select asks for.
 template <class Source>
@@ -51,6 +69,9 @@ std::vector<std::size_t> selected(const Medial_result& result, const Source& sou
   std::vector<std::size_t> kept;
   if(options.select == "covering")
     kept = AP::select_covering(balls, source, result.tolerance, number);
+  else if(options.select == "connected")
+    kept = select_connected(balls, source, result.tolerance,
+                            AP::crack_width(source.total_area(), result.balls.size()), number);
   else if(options.select == "random")
     kept = AP::select_random(balls, number, options.seed);
   else if(options.balls)

@@ -99,9 +99,10 @@ void add_selection(CLI::App& app, Medial_options& options)
       ->type_name("NUMBER")
       ->check(CLI::Range(std::size_t(1), std::size_t(100000000)))
       ->group("Selection");
-  add_choice(app, "--select", options.select, {"strongest", "covering", "random"},
+  add_choice(app, "--select", options.select, {"strongest", "covering", "connected", "random"},
              "which of them: those of the largest weight that are apart; those that cover the "
-             "most of the surface (without --balls, as few as cover it); or by chance")
+             "most of the surface (without --balls, as few as cover it); these and the few "
+             "between them that join their pieces; or by chance")
       ->capture_default_str()
       ->group("Selection");
   app.add_option("--seed", options.seed, "of what is selected by chance")

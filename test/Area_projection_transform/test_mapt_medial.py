@@ -14,7 +14,7 @@ import numpy
 from vtkmodules.util.numpy_support import vtk_to_numpy
 from vtkmodules.vtkIOPLY import vtkPLYReader
 
-from mapt_test import Test, OUTPUT_NOT_WRITTEN, UNUSABLE_INPUT, WRONG_USAGE, icosphere, off
+from mapt_test import DATA, Test, OUTPUT_NOT_WRITTEN, UNUSABLE_INPUT, WRONG_USAGE, icosphere, off
 
 PROPERTIES = ["x", "y", "z", "radius", "mapt", "lambda", "angle", "scale_axis", "kept"]
 
@@ -121,6 +121,17 @@ class Medial(Test):
         # All of a sphere votes; a quarter of the faces is missing.
         self.assertLess(abs(seen[0] - 1), 0.02)
         self.assertLess(abs(seen[1] - 0.75), 0.02)
+
+    def test_that_cover_are_connected(self):
+        pieces = {}
+        for choice in "covering", "connected":
+            report = self.report("medial", DATA / "human_woman.obj", "--balls", "91", "--select",
+                                 choice)["medial"]
+            pieces[choice] = report["topology"]["components"]
+            self.assertLessEqual(report["kept"], 91)
+            self.assertGreater(report["covered_by_kept"], 0.85)
+        self.assertGreater(pieces["covering"], 1)
+        self.assertEqual(pieces["connected"], 1)
 
     def test_outside_of_a_sphere_are_none(self):
         result = self.succeed("medial", self.mesh, "-o", self.file, "--side", "outside")

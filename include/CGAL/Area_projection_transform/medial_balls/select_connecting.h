@@ -3,6 +3,7 @@
 // This file is part of the Area_projection_transform package.
 //
 // SPDX-License-Identifier: GPL-3.0-or-later
+
 #ifndef CGAL_AREA_PROJECTION_TRANSFORM_MEDIAL_BALLS_SELECT_CONNECTING_H
 #define CGAL_AREA_PROJECTION_TRANSFORM_MEDIAL_BALLS_SELECT_CONNECTING_H
 

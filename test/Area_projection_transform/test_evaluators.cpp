@@ -211,6 +211,21 @@ TEST(Exact_evaluator, agrees_with_the_sum_over_all_triangles_for_any_number_of_t
   }
 }
 
+// Seen from 2^40 times its size, a triangle is within a ball or not: the corners round to what may be any shape.
+TEST(Flat_triangle, is_a_point_from_very_far_away)
+{
+  const AP::internal::Flat_triangle triangle({0, 0, 0}, {1, 0.2, -0.1}, {-0.3, 0.8, 0.4});
+  for(const double far : {1e13, 1e88, 1e150})
+    for(const Vector_3& direction : {Vector_3(1, 1, 1), Vector_3(0.3, -0.2, 0.9), triangle.x_axis}) {
+      const double length = std::sqrt(direction.squared_length());
+      const Point_3 center = CGAL::ORIGIN - far / length * direction;
+      EXPECT_EQ(triangle.fraction_within(center, 0.8 * far), 0) << far;
+      EXPECT_EQ(triangle.fraction_within(center, 1.2 * far), 1) << far;
+      EXPECT_EQ(triangle.fraction_within(center, 1e-3), 0) << far;
+    }
+  EXPECT_EQ(triangle.fraction_within({0.1, 0.1, 0}, 1e150), 1);
+}
+
 TEST(Exact_evaluator, a_mixture_of_balls_is_the_weighted_sum_over_the_balls)
 {
   const AP::Exact_evaluator evaluator(shapes::scale_space_of(shapes::blob(3, 4)), 0.5,

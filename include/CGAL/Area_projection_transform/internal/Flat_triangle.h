@@ -65,6 +65,11 @@ struct Flat_triangle
   /// For one ball and one triangle; kernels compute the same for many.
   double fraction_within(const Point_3& center, double radius) const
   {
+    // From so far away the triangle is a point, and where its edges are would be chance.
+    constexpr double far = 0x1p40;
+    const double squared_distance = (corners[0] - center).squared_length();
+    if(std::max(std::sqrt(squared_distance), radius) > far * longest_edge())
+      return squared_distance <= radius * radius ? 1 : 0;
     const double height = (corners[0] - center) * normal;
     const double squared_disk = radius * radius - height * height;
     if(!(squared_disk > 0))
@@ -75,7 +80,6 @@ struct Flat_triangle
       in_plane[i] = {v * x_axis, v * y_axis};
     }
     const double area = 0.5 * doubled_area;
-    // As far away as 2^53 edges the corners are rounded to a triangle of any size.
     return std::clamp(triangle_disk_area(in_plane, std::sqrt(squared_disk), area) / area, 0., 1.);
   }
 

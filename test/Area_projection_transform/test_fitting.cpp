@@ -564,13 +564,26 @@ TEST(Cell_list, of_nothing_has_nothing)
   in::Cell_list(none, 1).for_each_pair(1, [](std::size_t, std::size_t, double) { FAIL(); });
 }
 
-// Points far outside of the lattice of cells share the last ones: slower, but nothing is lost.
+// Coordinates of cells are kept with 20 bits: what is 2^20 cells apart shares a list, and is told apart by distances, even
+// by a ball that reaches over both.
 TEST(Cell_list, finds_points_that_are_very_far_away)
 {
-  const std::vector<Vector> points = {{0, 0, 0}, {1e12, 0, 0}, {1e12 + 1, 0, 0}, {-1e12, 3, 0}};
-  const in::Cell_list cells(points, 1e-3);
-  EXPECT_EQ(found_in_ball(cells, points, points[1], 2).size(), 2u);
-  EXPECT_EQ(found_in_ball(cells, points, points[3], 2).size(), 1u);
+  const double size = 1e-3, period = 0x1p20 * size;
+  const std::vector<Vector> points = {{0, 0, 0},      {period, 0, 0}, {-3 * period, 0, 0},
+                                      {1e12, 0, 0},   {1e12 + 1, 0, 0}, {-1e12, 3, 0},
+                                      {0, period, 0}, {-1e75, 1e75, 0}};
+  const in::Cell_list cells(points, size);
+  for(const double radius : {0., 0.4 * size, 2., 0.9 * period, 1.1 * period, 3.5 * period, 1e13})
+    for(const Vector& center : points) {
+      std::vector<std::size_t> expected;
+      for(std::size_t k = 0; k < points.size(); ++k)
+        if((points[k] - center).squaredNorm() <= radius * radius)
+          expected.push_back(k);
+      EXPECT_EQ(found_in_ball(cells, points, center, radius), expected) << radius;
+    }
+  std::size_t pairs = 0;
+  cells.for_each_pair(size, [&pairs](std::size_t i, std::size_t j, double) { pairs += i == j; });
+  EXPECT_EQ(pairs, points.size());
 }
 
 TEST(Cell_list, finds_all_pairs)

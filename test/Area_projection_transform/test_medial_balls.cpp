@@ -19,6 +19,7 @@
 
 #include <functional>
 #include <limits>
+#include <numeric>
 #include <set>
 
 namespace {
@@ -423,6 +424,26 @@ TEST(Medial_balls, of_long_thin_things_are_not_more_than_of_others)
 }
 
 // Places on the surface are bounded, too: a vertex far away made 30 million of 20 000.
+// The spikes have next to no area and most of the samples: large balls must not look at all of them.
+TEST(Thinned_samples, are_few_for_large_balls_when_a_vertex_is_far_away)
+{
+  for(const double far : {1e3, 1e6, 1e9}) {
+    Soup sphere = icosphere(3);
+    sphere.points[100] = Point_3(far, 0, 0);
+    const AP::internal::Medial_samples samples(surface_of(sphere), {});
+    const AP::internal::Thinned_samples thinned(samples);
+    EXPECT_LT(thinned.at(far).size(), 100u);
+    for(double spacing = far; spacing > 1e-3; spacing /= 2) {
+      const std::vector<double>& areas = thinned.at(spacing).areas;
+      EXPECT_NEAR(std::accumulate(areas.begin(), areas.end(), 0.) /
+                      std::accumulate(samples.areas.begin(), samples.areas.end(), 0.),
+                  1, 1e-12);
+    }
+    // The sphere is told apart in the midst of it.
+    EXPECT_GT(thinned.at(0.1).size(), 500u);
+  }
+}
+
 TEST(Selected_balls, are_asked_for_no_more_places_on_long_thin_things)
 {
   for(const double far : {1e3, 1e9}) {

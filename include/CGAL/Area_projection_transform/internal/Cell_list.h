@@ -11,6 +11,7 @@
 
 #include <Eigen/Core>
 
+#include <array>
 #include <cstddef>
 #include <cstdint>
 #include <vector>
@@ -20,6 +21,8 @@ namespace Area_projection {
 namespace internal {
 
 /// \brief points in cubic cells, to find those near a place.
+///
+/// Cells that are 2^20 apart along an axis share a list: distances tell their points apart, wherever they are.
 class Cell_list
 {
 public:
@@ -35,7 +38,7 @@ public:
       m_origin = points.front();
     std::vector<std::uint32_t> cell_of(points.size());
     for(std::size_t i = 0; i < points.size(); ++i) {
-      cell_of[i] = m_cells.insert(Cell_index::key(cell(points[i])));
+      cell_of[i] = m_cells.insert(key(cell(points[i])));
       if(cell_of[i] == m_begin.size())
         m_begin.push_back(0);
       ++m_begin[cell_of[i]];
@@ -57,8 +60,8 @@ public:
   {
     if(m_order.empty())
       return;
-    const std::array<std::int32_t, 3> low = cell(center - Vector::Constant(radius));
-    const std::array<std::int32_t, 3> high = cell(center + Vector::Constant(radius));
+    const Cell low = cell(center - Vector::Constant(radius));
+    const Cell high = cell(center + Vector::Constant(radius));
     const double squared_radius = radius * radius;
     const auto visit = [&](std::uint32_t c) {
       for(std::uint32_t k = m_begin[c]; k < m_begin[c + 1]; ++k) {
@@ -67,18 +70,21 @@ public:
           function(std::size_t(m_order[k]), squared_distance);
       }
     };
-    std::size_t cells = 1;
-    for(int axis = 0; axis < 3; ++axis)
-      cells *= std::size_t(high[axis] - low[axis] + 1);
-    if(cells > m_begin.size()) { // a ball as large as everything
+    double cells = 1;
+    bool has_cell_twice = false;
+    for(int axis = 0; axis < 3; ++axis) {
+      cells *= double(high[axis] - low[axis]) + 1;
+      has_cell_twice = has_cell_twice || high[axis] - low[axis] >= period;
+    }
+    if(has_cell_twice || cells > double(m_begin.size())) { // a ball as large as everything
       for(std::uint32_t c = 0; c + 1 < m_begin.size(); ++c)
         visit(c);
       return;
     }
-    for(std::int32_t k = low[2]; k <= high[2]; ++k)
-      for(std::int32_t j = low[1]; j <= high[1]; ++j)
-        for(std::int32_t i = low[0]; i <= high[0]; ++i) {
-          const std::uint32_t c = m_cells.find(Cell_index::key({i, j, k}));
+    for(std::int64_t k = low[2]; k <= high[2]; ++k)
+      for(std::int64_t j = low[1]; j <= high[1]; ++j)
+        for(std::int64_t i = low[0]; i <= high[0]; ++i) {
+          const std::uint32_t c = m_cells.find(key({i, j, k}));
           if(c != Cell_index::none)
             visit(c);
         }
@@ -96,12 +102,12 @@ public:
     std::vector<std::uint32_t> near;
     for(std::uint32_t c = 0; c + 1 < m_begin.size(); ++c) {
       near.clear();
-      const std::array<std::int32_t, 3> place = cell((*m_points)[m_order[m_begin[c]]]);
+      const Cell place = cell((*m_points)[m_order[m_begin[c]]]);
       for(std::int32_t k = -1; k <= 1; ++k)
         for(std::int32_t j = -1; j <= 1; ++j)
           for(std::int32_t i = -1; i <= 1; ++i) {
             const std::uint32_t other =
-                m_cells.find(Cell_index::key({place[0] + i, place[1] + j, place[2] + k}));
+                m_cells.find(key({place[0] + i, place[1] + j, place[2] + k}));
             if(other != Cell_index::none)
               near.insert(near.end(), m_order.begin() + m_begin[other],
                           m_order.begin() + m_begin[other + 1]);
@@ -116,12 +122,23 @@ public:
   }
 
 private:
-  std::array<std::int32_t, 3> cell(const Vector& p) const
+  using Cell = std::array<std::int64_t, 3>;
+  static constexpr std::int64_t period = std::int64_t(1) << 20;
+
+  Cell cell(const Vector& p) const
   {
-    // Beyond the last cell there is nothing to find.
-    constexpr double last = (1 << 19) - 1;
+    // Beyond it, a double is coarser than the cells.
+    constexpr double last = std::int64_t(1) << 53;
     const Vector c = ((p - m_origin) * m_scale).array().floor().min(last).max(-last);
-    return {std::int32_t(c.x()), std::int32_t(c.y()), std::int32_t(c.z())};
+    return {std::int64_t(c.x()), std::int64_t(c.y()), std::int64_t(c.z())};
+  }
+
+  static std::uint64_t key(const Cell& cell)
+  {
+    std::array<std::int32_t, 3> wrapped;
+    for(int axis = 0; axis < 3; ++axis)
+      wrapped[axis] = std::int32_t((cell[axis] & (period - 1)) - period / 2);
+    return Cell_index::key(wrapped);
   }
 
   const std::vector<Vector>* m_points = nullptr;

@@ -53,7 +53,11 @@ public:
       return;
     m_spacing = finest_spacing(samples, area);
     add_all(samples);
-    for(double s = ratio * m_spacing; area / (s * s) > fewest_samples; s *= ratio)
+    const double extent = 2 * samples.largest_radius();
+    for(double s = ratio * m_spacing;
+        area / (s * s) > fewest_samples ||
+        (double(m_levels.back()->size()) > fewest_samples && s < extent);
+        s *= ratio)
       add_level(s);
   }
 
@@ -90,7 +94,7 @@ private:
     std::vector<double> areas = samples.areas;
     const auto tenth = areas.begin() + std::ptrdiff_t(areas.size() / 10);
     std::nth_element(areas.begin(), tenth, areas.end());
-    return std::sqrt(std::max(*tenth, 4e-4 * area / double(areas.size())));
+    return std::sqrt(std::max(*tenth, 1e-12 * area / double(areas.size())));
   }
 
   void add_all(const Medial_samples& samples)

@@ -110,6 +110,51 @@ TEST(Polar_balls, of_a_cube_are_the_ball_through_its_corners)
     EXPECT_EQ(balls[i].source, i);
 }
 
+TEST(Polar_balls, lie_behind_all_they_touch)
+{
+  // The ball through the corners of a cube, but for one corner that faces the other way.
+  for(std::size_t turned = 0; turned <= 8; ++turned) {
+    AP::Surfels points;
+    for(const double x : {-1., 1.})
+      for(const double y : {-1., 1.})
+        for(const double z : {-1., 1.}) {
+          const double sign = points.size() == turned ? -1 : 1;
+          points.push_back(Point_3(x, y, z), sign * Vector_3(x, y, z) / std::sqrt(3.), 1,
+                           std::uint32_t(points.size()));
+        }
+    const AP::internal::Medial_samples samples(points, polar());
+    const AP::internal::Polar_balls balls(samples, 2);
+    std::size_t number = 0;
+    for(std::size_t i = 0; i < 8; ++i)
+      number += balls[i].has_value();
+    // That one has none. Each other has one, unless all of its cells, which depend on how the cube is cut, have that corner.
+    if(turned < 8) {
+      EXPECT_FALSE(balls[turned].has_value());
+      EXPECT_LT(number, 8u);
+    } else
+      EXPECT_EQ(number, 8u);
+  }
+}
+
+TEST(Polar_balls, of_four_samples_that_are_almost_in_a_plane_are_known)
+{
+  // On the unit sphere about (0, 0, 1), so near to the origin that the heights, which are 1e-14 and exact but for
+  // 2^-53 of themselves, are the ten millionth part of the distances.
+  AP::Surfels points;
+  for(const auto& [x, y] : {std::pair(1e-7, 0.), std::pair(-4e-8, 7e-8), std::pair(-5e-8, -6e-8),
+                            std::pair(1e-8, 2e-8)}) {
+    const double squared = x * x + y * y, z = squared / (1 + std::sqrt(1 - squared));
+    points.push_back(Point_3(x, y, z), Vector_3(x, y, z - 1), 1, std::uint32_t(points.size()));
+  }
+  const AP::internal::Medial_samples samples(points, polar());
+  const AP::internal::Polar_balls balls(samples, 2);
+  for(std::size_t i = 0; i < 4; ++i) {
+    ASSERT_TRUE(balls[i].has_value());
+    EXPECT_NEAR(balls[i]->radius, 1, 1e-9);
+    EXPECT_NEAR((balls[i]->center - Eigen::Vector3d(0, 0, 1)).norm(), 0, 1e-9);
+  }
+}
+
 TEST(Polar_balls, of_a_box_are_in_its_middle_and_on_its_diagonals)
 {
   // The samples of a wall are in a plane: most cells are flat but for rounding, or thinner.

@@ -83,8 +83,9 @@ void report_reconstruction(const Reconstruction& reconstruction, Console& consol
       return to_text(100 * length / reconstruction.diagonal, 3);
     };
     console.row(name, std::string(text) + " by " + percent(values.mean) +
-                          " % of the diagonal in the mean, " + percent(values.quantile_95) +
-                          " % at 5 % of it, " + percent(values.largest) + " % at most");
+                          " % of the diagonal in the mean, by more than " +
+                          percent(values.quantile_95) + " % in 1 of 20 places, by " +
+                          percent(values.largest) + " % at most");
   };
   if(reconstruction.mesh.empty())
     return;

@@ -463,6 +463,19 @@ Mesh mesh_of(const Soup& soup)
   return mesh;
 }
 
+/// `number` points of equal area on the unit sphere, on a spiral that turns by the golden angle.
+inline AP::Surfels fibonacci_sphere(std::size_t number)
+{
+  AP::Surfels surfels;
+  for(std::size_t i = 0; i < number; ++i) {
+    const double z = 1 - (2 * double(i) + 1) / double(number), phi = double(i) * 2.399963229728653;
+    const double rho = std::sqrt(1 - z * z);
+    const Vector_3 n(rho * std::cos(phi), rho * std::sin(phi), z);
+    surfels.push_back(CGAL::ORIGIN + n, n, 4 * pi / double(number), std::uint32_t(i));
+  }
+  return surfels;
+}
+
 /// reads one of the meshes of the folder `data`, which are made of triangles.
 inline Soup bundled_mesh(const std::string& name)
 {

@@ -216,7 +216,8 @@ TEST(Flat_triangle, is_a_point_from_very_far_away)
 {
   const AP::internal::Flat_triangle triangle({0, 0, 0}, {1, 0.2, -0.1}, {-0.3, 0.8, 0.4});
   for(const double far : {1e13, 1e88, 1e150})
-    for(const Vector_3& direction : {Vector_3(1, 1, 1), Vector_3(0.3, -0.2, 0.9), triangle.x_axis}) {
+    for(const Vector_3& direction :
+        {Vector_3(1, 1, 1), Vector_3(0.3, -0.2, 0.9), triangle.x_axis}) {
       const double length = std::sqrt(direction.squared_length());
       const Point_3 center = CGAL::ORIGIN - far / length * direction;
       EXPECT_EQ(triangle.fraction_within(center, 0.8 * far), 0) << far;

@@ -569,7 +569,7 @@ TEST(Cell_list, of_nothing_has_nothing)
 TEST(Cell_list, finds_points_that_are_very_far_away)
 {
   const double size = 1e-3, period = 0x1p20 * size;
-  const std::vector<Vector> points = {{0, 0, 0},      {period, 0, 0}, {-3 * period, 0, 0},
+  const std::vector<Vector> points = {{0, 0, 0},      {period, 0, 0},   {-3 * period, 0, 0},
                                       {1e12, 0, 0},   {1e12 + 1, 0, 0}, {-1e12, 3, 0},
                                       {0, period, 0}, {-1e75, 1e75, 0}};
   const in::Cell_list cells(points, size);

@@ -42,19 +42,6 @@ double length(const Vector_3& v)
   return std::sqrt(v.squared_length());
 }
 
-/// `number` points of equal area on the unit sphere, on a spiral.
-AP::Surfels points_on_sphere(std::size_t number)
-{
-  AP::Surfels surfels;
-  for(std::size_t i = 0; i < number; ++i) {
-    const double z = 1 - (2 * double(i) + 1) / double(number), phi = double(i) * pi * 1.2360679775;
-    const double rho = std::sqrt(1 - z * z);
-    const Vector_3 n(rho * std::cos(phi), rho * std::sin(phi), z);
-    surfels.push_back(CGAL::ORIGIN + n, n, 4 * pi / double(number), std::uint32_t(i));
-  }
-  return surfels;
-}
-
 std::vector<std::size_t> all_of(const std::vector<Medial_ball>& balls)
 {
   return AP::select_by_weight(balls, Medial_weight::RADIUS, 0);
@@ -62,7 +49,7 @@ std::vector<std::size_t> all_of(const std::vector<Medial_ball>& balls)
 
 TEST(Medial_balls, of_points_on_a_sphere_are_the_sphere)
 {
-  const auto balls = AP::medial_balls<Parallel>(points_on_sphere(3000));
+  const auto balls = AP::medial_balls<Parallel>(fibonacci_sphere(3000));
   ASSERT_EQ(balls.size(), 3000u);
   for(const Medial_ball& ball : balls) {
     // The ball that touches at p, with the normal of the sphere, and passes through any other point is the sphere.
@@ -77,7 +64,7 @@ TEST(Medial_balls, of_points_on_a_sphere_are_the_sphere)
     EXPECT_NEAR(ball.lambda, 1, 0.0064);
     EXPECT_GT(ball.angle, 180 - 9.2);
   }
-  EXPECT_EQ(AP::covered_part(balls, {0}, points_on_sphere(3000), 1e-6), 1);
+  EXPECT_EQ(AP::covered_part(balls, {0}, fibonacci_sphere(3000), 1e-6), 1);
 }
 
 TEST(Medial_balls, of_a_spherical_mesh_are_the_sphere)

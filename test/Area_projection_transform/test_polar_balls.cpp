@@ -28,19 +28,6 @@ Medial_ball_options polar()
   return options;
 }
 
-/// points on the unit sphere, on a spiral.
-AP::Surfels points_on_sphere(std::size_t number)
-{
-  AP::Surfels surfels;
-  for(std::size_t i = 0; i < number; ++i) {
-    const double z = 1 - (2 * double(i) + 1) / double(number), phi = double(i) * pi * 1.2360679775;
-    const double rho = std::sqrt(1 - z * z);
-    const Vector_3 n(rho * std::cos(phi), rho * std::sin(phi), z);
-    surfels.push_back(CGAL::ORIGIN + n, n, 4 * pi / double(number), std::uint32_t(i));
-  }
-  return surfels;
-}
-
 double distance_from_origin(const Point_3& p)
 {
   return std::sqrt((p - CGAL::ORIGIN).squared_length());
@@ -50,7 +37,7 @@ TEST(Polar_balls, of_points_on_a_sphere_are_the_sphere)
 {
   // Whatever four of them, their ball is the sphere. The points are on it but for 2^-53; four that are as near as
   // 0.06 to each other fix a centre by the cube of that: it errs by 2^-53 / 0.06³ and some.
-  const auto balls = AP::medial_balls(points_on_sphere(3000), polar());
+  const auto balls = AP::medial_balls(fibonacci_sphere(3000), polar());
   ASSERT_EQ(balls.size(), 3000u);
   for(const Medial_ball& ball : balls) {
     EXPECT_LT(distance_from_origin(ball.center), 1e-9);

@@ -40,13 +40,7 @@ void add(AP::Surfels& points, const Point_3& p, const Vector_3& n)
 Shape unit_sphere()
 {
   Shape sphere;
-  const double number = std::floor(4 * pi / (spacing * spacing));
-  for(double i = 0; i < number; ++i) {
-    const double z = 1 - (2 * i + 1) / number, phi = i * pi * 1.2360679775;
-    const double rho = std::sqrt(1 - z * z);
-    const Vector_3 n(rho * std::cos(phi), rho * std::sin(phi), z);
-    add(sphere.points, CGAL::ORIGIN + n, n);
-  }
+  sphere.points = fibonacci_sphere(std::size_t(4 * pi / (spacing * spacing)));
   sphere.from_the_axis = [](const Point_3& p) {
     return std::sqrt((p - CGAL::ORIGIN).squared_length());
   };

@@ -41,6 +41,7 @@ using AP::Surfels;
 using AP::Triangle_surface;
 using AP::Vector_3;
 using AP::internal::Heat_flow;
+using shapes::fibonacci_sphere;
 using shapes::pi;
 using shapes::Soup;
 using shapes::surface_of;
@@ -91,17 +92,6 @@ TEST(Averaged_normals, spread_as_far_where_half_of_the_faces_are_missing)
   // weak. Nothing but that gap of the model makes the tolerance: a fifth of the decay.
   const double decay = 1 - 1 / (1 + 2 * 0.1);
   EXPECT_NEAR(length_of_normals(surface_of(sphere), 0.1), 1 - decay, 0.2 * decay);
-}
-
-Surfels fibonacci_sphere(std::size_t number)
-{
-  Surfels surfels;
-  for(std::size_t i = 0; i < number; ++i) {
-    const double z = 1 - (2 * double(i) + 1) / double(number), phi = double(i) * 2.399963229728653;
-    const Vector_3 v(std::sqrt(1 - z * z) * std::cos(phi), std::sqrt(1 - z * z) * std::sin(phi), z);
-    surfels.push_back(CGAL::ORIGIN + v, v, 4 * pi / double(number), std::uint32_t(i));
-  }
-  return surfels;
 }
 
 TEST(Averaged_normals, spread_as_far_between_points)

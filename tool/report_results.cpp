@@ -37,6 +37,7 @@ Transform_options transform_options(const Input& input, const Report_options& op
   transform.kind = "mapt"; // the map of each radius, and their joint map
   transform.side = options.side;
   transform.sampling_ratio = AP::Grid_projector::default_sampling_ratio;
+  transform.coarser_grid = "lower --resolution";
   transform.voxel =
       std::max({box.x_span(), box.y_span(), box.z_span()}) / double(options.resolution);
   transform.scales = options.scales;

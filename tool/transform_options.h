@@ -33,6 +33,7 @@ struct Transform_options
   std::string kernel = "ball";
   double sampling_ratio;
   std::optional<double> voxel, margin;
+  std::string coarser_grid = "raise --voxel"; // how the user would get one
   Scale_options scales;
   Common_options common;
 };

@@ -47,8 +47,8 @@ void check_memory(const Frame& frame, double bytes, const Transform_options& opt
   for(double size : frame.size)
     dimensions += (dimensions.empty() ? "" : " x ") + to_text(size, 9);
   throw Input_error(options.mesh + ": " + dimensions + " voxels need " + bytes_to_text(bytes) +
-                    "; raise --voxel or --max-memory (" + bytes_to_text(options.common.max_memory) +
-                    "); report: lower --resolution");
+                    "; " + options.coarser_grid + " or raise --max-memory (" +
+                    bytes_to_text(options.common.max_memory) + ")");
 }
 
 // What it takes to find the region, and the region itself. Along each axis the lines of the grid go

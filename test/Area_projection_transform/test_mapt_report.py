@@ -189,7 +189,8 @@ class Inputs(Reports):
                 ([self.sphere, "--radii", "0.001"], WRONG_USAGE, "smaller than the voxel"),
                 ([bad, "-o", self.page], UNUSABLE_INPUT, "bad.off"),
                 ([self.path / "none.off", "-o", self.page], UNUSABLE_INPUT, "none.off"),
-                ([self.sphere, "-o", self.page, "--max-memory", "1k"], UNUSABLE_INPUT, "--max-memory"),
+                ([self.sphere, "-o", self.page, "--max-memory", "1k"], UNUSABLE_INPUT,
+                 "; lower --resolution or raise --max-memory"),
                 ([self.sphere, "-o", self.path / "no" / "page.html"], OUTPUT_NOT_WRITTEN, "no/page.html")]:
             with self.subTest(arguments=arguments):
                 self.fail_with(code, [text], "report", *arguments)

@@ -152,7 +152,7 @@ class Transform(Test):
                         ["--voxel", 1e-3, "--region", "band"]):
             with self.subTest(options=options):
                 self.fail_with(UNUSABLE_INPUT,
-                               ["sphere.off", " voxels need ", "raise --voxel or --max-memory"],
+                               ["sphere.off", " voxels need ", "raise --voxel or raise --max-memory"],
                                "transform", self.sphere, "-R", 0.5, *options)
         self.report("transform", self.sphere, "--max-memory", "500M")
 

@@ -34,6 +34,6 @@ foreach(script IN LISTS scripts)
   file(MAKE_DIRECTORY ${scratch})
   add_test(NAME mapt.${name} COMMAND ${Python3_EXECUTABLE} -B ${script} WORKING_DIRECTORY ${scratch})
   set_tests_properties(
-    mapt.${name} PROPERTIES TIMEOUT 300 ENVIRONMENT
+    mapt.${name} PROPERTIES ENVIRONMENT
                             "MAPT=$<TARGET_FILE:mapt>;MAPT_DATA=${PROJECT_SOURCE_DIR}/data")
 endforeach()

@@ -40,4 +40,3 @@ add_test(
     ${CMAKE_COMMAND}
     "-DPROGRAMS=$<TARGET_FILE:print_map_checksum_tbb>;$<TARGET_FILE:print_map_checksum_sequential>"
     "-DTHREADS=1;2;3" -P ${CMAKE_CURRENT_SOURCE_DIR}/compare_checksums.cmake)
-set_tests_properties(same_bits.threads_and_tbb PROPERTIES TIMEOUT 300)

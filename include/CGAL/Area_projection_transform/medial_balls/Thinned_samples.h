@@ -53,6 +53,7 @@ public:
       return;
     m_spacing = finest_spacing(samples, area);
     add_all(samples);
+    // Long thin parts have many samples and next to no area: the number counts, too.
     const double extent = 2 * samples.largest_radius();
     for(double s = ratio * m_spacing;
         area / (s * s) > fewest_samples ||
@@ -88,7 +89,9 @@ private:
       0.76; ///< in units of the spacing, the root of the area that each stands for
   static constexpr double least_cosine = 0.5;
 
-  /// the root of the area of a small sample, since cells that suit large ones would be crowded by the small ones.
+  /// \brief the root of the area of a small sample, since cells that suit large ones would be crowded by the small ones.
+  ///
+  /// One that is a millionth of the mean spacing is small enough: it bounds the number of levels.
   static double finest_spacing(const Medial_samples& samples, double area)
   {
     std::vector<double> areas = samples.areas;

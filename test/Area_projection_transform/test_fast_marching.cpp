@@ -179,6 +179,77 @@ TEST(Fast_marching, of_the_second_order_is_exact_on_planes_and_parabolas_of_one_
   EXPECT_LT(largest_error(AP::fast_marching(region, speeds, sources, options), time), 1e-6);
 }
 
+/// of each axis, of either side, the times of the voxel next to another one and of that behind it; infinite for walls.
+using Sources_around = std::array<std::array<std::array<double, 2>, 2>, 3>;
+
+/// the time of a voxel of slowness 1 between sources.
+double time_between(const Sources_around& times, bool is_second_order)
+{
+  const Region region = whole_region(5);
+  std::vector<float> speeds = constant(region, 0);
+  speeds[region->index(2, 2, 2)] = 1;
+  std::vector<Marching_source> sources;
+  for(std::size_t axis = 0; axis < 3; ++axis)
+    for(const int side : {0, 1})
+      for(const int behind : {0, 1}) {
+        Voxel voxel{2, 2, 2};
+        voxel[axis] += (2 * side - 1) * (1 + behind);
+        const double time = times[axis][std::size_t(side)][std::size_t(behind)];
+        if(time < infinity) {
+          sources.push_back({voxel, time});
+          speeds[region->index(voxel[0], voxel[1], voxel[2])] = 1;
+        }
+      }
+  Marching_options options;
+  options.is_second_order = is_second_order;
+  return AP::fast_marching(region, speeds, sources, options).time(2, 2, 2);
+}
+
+/// the same by bisection: the differences against the wind, which only rise with the time, have 1 as the sum of their squares.
+double expected_time_between(const Sources_around& times, bool is_second_order)
+{
+  double low = 0, high = 10;
+  for(int i = 0; i < 100; ++i) {
+    const double t = 0.5 * (low + high);
+    double sum = 0;
+    for(const auto& sides : times) {
+      const auto [near, far] = std::min(sides[0], sides[1]);
+      const double rise =
+          is_second_order && far <= near ? 0.5 * (3 * t - 4 * near + far) : t - near;
+      sum += std::pow(std::max(rise, 0.), 2);
+    }
+    (sum < 1 ? low : high) = t;
+  }
+  return low;
+}
+
+// Of each axis the earlier side counts, if it is earlier than the voxel itself; and what is behind it only if times rise
+// towards the voxel, or it belongs to another front. It does not matter what is done last.
+TEST(Fast_marching, solves_the_equation_of_godunov_at_a_voxel)
+{
+  shapes::Random random(1);
+  for(int repetition = 0; repetition < 50; ++repetition) {
+    // Up to 0.1 all are earlier than the voxel, which comes 2/3 / √3 later than the first, or more.
+    for(const auto& [latest, is_second_order] : {std::pair(1.5, false), {0.1, true}}) {
+      Sources_around times;
+      for(auto& sides : times)
+        for(auto& side : sides)
+          for(double& time : side)
+            time = random(0, latest);
+      EXPECT_NEAR(time_between(times, is_second_order),
+                  expected_time_between(times, is_second_order), 1e-12);
+    }
+  }
+}
+
+// With what comes along y, whose slope is 0.9, the second order would be done at 0.6904: before what it comes from.
+TEST(Fast_marching, of_the_second_order_does_not_come_from_what_is_later)
+{
+  constexpr std::array<double, 2> wall{infinity, infinity};
+  const Sources_around times{{{{{0, -0.3}, wall}}, {{{0.7, -0.2}, wall}}, {{wall, wall}}}};
+  EXPECT_NEAR(time_between(times, true), 0.1 + 2. / 3, 1e-12); // along x alone
+}
+
 TEST(Fast_marching, goes_round_walls)
 {
   // A wall at i = 10 with a gap at its end: the shortest way turns at the gap.

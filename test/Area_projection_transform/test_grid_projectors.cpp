@@ -17,6 +17,9 @@
 
 #include <gtest/gtest.h>
 
+#include <array>
+#include <limits>
+
 namespace {
 
 namespace AP = CGAL::Area_projection;
@@ -349,6 +352,27 @@ TEST(Similarity, rotation_keeps_the_mean_square_of_the_map)
 }
 
 // ---------------------------------------------------------------- errors and limits
+
+// A shape that is moved by 10^188 has corners 10^172 apart, and variances that are not finite.
+TEST(Patch_maker, takes_what_rounding_spreads_for_a_point)
+{
+  using AP::internal::Patch;
+  const AP::internal::Patch_maker maker(AP::Grid_3(Point_3(0, 0, 0), 1, {10, 10, 10}), 2);
+  const std::array<double, 3> in_grid{3.25, 4, 5}, far_away{-2e188, 4, 5};
+  Patch point;
+  ASSERT_TRUE(maker.make(in_grid, AP::Covariance_3(), point));
+  for(const double variance : {4., 1e200, std::numeric_limits<double>::infinity()}) {
+    AP::Covariance_3 covariance;
+    covariance.xx = covariance.yy = covariance.zz = variance;
+    Patch patch;
+    EXPECT_FALSE(maker.make(far_away, covariance, patch));
+    ASSERT_TRUE(maker.make(in_grid, covariance, patch));
+    EXPECT_EQ(patch.i, 3);
+    EXPECT_EQ(patch.reach, point.reach);
+    EXPECT_EQ(patch.full, point.full);
+    EXPECT_EQ(patch.quarter, point.quarter);
+  }
+}
 
 TEST(Grid_projectors, refuse_what_they_cannot_do)
 {

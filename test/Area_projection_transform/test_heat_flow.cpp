@@ -47,6 +47,30 @@ TEST(Heat_flow, damps_waves_as_the_implicit_step_does)
   }
 }
 
+// A point source on a ring is the sum of all its waves, of equal size: conjugate gradients need a step for each, so that it
+// is the error allowed that ends them.
+TEST(Heat_flow, errs_no_more_than_is_allowed)
+{
+  constexpr std::size_t cells = 1000;
+  constexpr double time = 300;
+  const Heat_flow flow = ring(cells, 1);
+  Heat_flow::Vectors point = Heat_flow::Vectors::Zero(cells, 3);
+  point.row(0).setConstant(1000);
+  Eigen::VectorXd expected = Eigen::VectorXd::Zero(cells);
+  for(std::size_t k = 0; k < cells; ++k) {
+    const double eigenvalue = 2 - 2 * std::cos(2 * pi * double(k) / cells);
+    for(std::size_t i = 0; i < cells; ++i)
+      expected[Eigen::Index(i)] += 1000. / cells *
+                                   std::cos(2 * pi * double(k * i % cells) / cells) /
+                                   (1 + time * eigenvalue);
+  }
+  for(const double allowed : {1., 0.1, 0.01}) {
+    const Heat_flow::Vectors result = flow.diffused(point, time, allowed);
+    for(int k = 0; k < 3; ++k)
+      EXPECT_LT((result.col(k) - expected).norm() / std::sqrt(double(cells)), allowed);
+  }
+}
+
 TEST(Heat_flow, fills_cells_without_area_from_their_neighbours_and_leaves_lone_ones)
 {
   Heat_flow::Links links(4);

@@ -219,18 +219,24 @@ TEST(Medial_balls, stand_noise_when_they_are_refitted)
   EXPECT_LT(10 * quantile(refitted, 0.5), quantile(raw, 0.5));
 }
 
+// A sample stands for (0.16 R)² of area, which is 0.002 of the sphere. Of those on the rim of what votes, which is hardly
+// longer than 2π R and has 40 of them, each counts by half of itself too much or too little, by chance: by 2 √40 · 0.001 in
+// 95 %, and by 40 · 0.001 at most. The rest of the tolerance is for smooth normals instead of those of the facets.
 TEST(Medial_balls, have_the_transform_of_the_exact_evaluator)
 {
   const AP::Triangle_surface surface = surface_of(blob(4, 3));
   const AP::Constant_scale_space scale_space(surface);
   const auto balls = AP::medial_balls<Parallel>(surface);
-  for(std::size_t b = 0; b < balls.size(); b += balls.size() / 20) {
+  std::vector<double> errors;
+  for(std::size_t b = 0; b < balls.size(); b += balls.size() / 100) {
     const Medial_ball& ball = balls[b];
     const AP::Scale scale{ball.refitted_radius, 0.5 * ball.refitted_radius};
     const AP::Exact_evaluator exact(scale_space, scale.radius, AP::Side::INSIDE);
-    // Thinned samples, and smooth normals instead of those of the facets.
-    EXPECT_NEAR(ball.mapt, exact(ball.refitted_center, scale.sigma) * scale.normalization(), 0.04);
+    errors.push_back(
+        std::abs(ball.mapt - exact(ball.refitted_center, scale.sigma) * scale.normalization()));
   }
+  EXPECT_LT(quantile(errors, 0.95), 0.02);
+  EXPECT_LT(quantile(errors, 1), 0.05);
 }
 
 TEST(Medial_balls, belong_to_the_scale_axis_up_to_the_factor_at_which_one_covers_them)

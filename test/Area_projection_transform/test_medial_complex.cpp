@@ -156,6 +156,24 @@ TEST(Medial_complex, leaves_out_balls_within_others)
   expect_topology(complex, {1, 0, 0});
 }
 
+TEST(Medial_complex, has_the_largest_of_concentric_balls)
+{
+  for(const std::vector<double>& radii : {std::vector<double>{1, 2, 3}, {3, 2, 1}, {1, 3, 2}}) {
+    Balls balls = on({{0, 0, 0}, {0, 0, 0}, {0, 0, 0}, {4, 0, 0}}, 1.5);
+    std::copy(radii.begin(), radii.end(), balls.radii.begin());
+    const Medial_complex complex = balls.complex();
+    const auto largest = std::max_element(radii.begin(), radii.end()) - radii.begin();
+    EXPECT_EQ(complex.vertices, (std::vector<std::uint32_t>{std::uint32_t(largest), 3}));
+    expect_topology(complex, {1, 0, 0}); // only the largest one reaches the other
+  }
+}
+
+TEST(Medial_complex, joins_balls_that_touch_and_none_that_do_not)
+{
+  expect_topology(on({{0, 0, 0}, {2, 0, 0}}, 1).complex(), {1, 0, 0});
+  expect_topology(on({{0, 0, 0}, {2 + 0x1p-51, 0, 0}}, 1).complex(), {2, 0, 0});
+}
+
 TEST(Medial_complex, has_the_euler_number_of_the_nerve)
 {
   std::set<long> seen;

@@ -256,6 +256,28 @@ TEST(Metric_index, finds_what_a_scan_finds_in_clusters_with_less_work)
   expect_index_finds_what_a_scan_finds(table, queries, true);
 }
 
+// Distances are remembered as floats: without a margin for that a bound on a distance is more than the distance, as often
+// as not, if the triangle inequality is tight. That it is for a shape that is there again, of which the first is to be
+// found.
+TEST(Metric_index, finds_the_first_of_those_that_are_there_twice)
+{
+  const AP::Descriptor_table once = random_table(300, 9);
+  AP::Descriptor_table table(24, 6);
+  for(int copy = 0; copy < 2; ++copy)
+    for(std::size_t i = 0; i < once.size(); ++i)
+      table.push_back(Histogram(once[i], once[i] + 24));
+  for(Distance_kind kind : all_kinds) {
+    const Histogram_distance of(kind, 24, 6);
+    const AP::Metric_index index(table, of);
+    for(std::size_t i = 0; i < once.size(); ++i) {
+      const auto found = index.nearest(once[i], 1);
+      ASSERT_EQ(found.size(), 1u);
+      EXPECT_EQ(found[0].index, i) << int(kind);
+      EXPECT_EQ(found[0].distance, 0);
+    }
+  }
+}
+
 TEST(Metric_index, copes_with_few_and_with_equal_shapes)
 {
   Random random(8);

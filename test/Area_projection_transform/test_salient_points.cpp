@@ -316,6 +316,27 @@ TEST(Salient_tubes, are_right_in_the_mean_and_within_their_intervals)
   EXPECT_GE(covered, 5); // of 8, with a probability of 99.96 %
 }
 
+// Points of a tube of radius 1 displaced by d out or in, and by d to one side or the other, each of the four as often:
+// their mean distance from the axis is 1 + d²/2 but for d⁴, and there is no chance in it.
+TEST(Salient_tubes, are_corrected_for_what_displacements_add_to_the_radius)
+{
+  constexpr double d = 0.05;
+  constexpr int n = 32;
+  AP::Surfels points;
+  for(int i = 0; i < n; ++i)
+    for(int j = 0; j < n; ++j) {
+      const double a = 2 * pi * i / n;
+      const Vector_3 out(std::cos(a), std::sin(a), 0), aside(-std::sin(a), std::cos(a), 0);
+      const Vector_3 p = (1 + (i % 2 ? d : -d)) * out + (j % 2 ? d : -d) * aside;
+      points.push_back(Point_3(p.x(), p.y(), 5. * j / n), out, 10 * pi / (n * n),
+                       std::uint32_t(points.size()));
+    }
+  const auto found = AP::salient_points(points);
+  ASSERT_EQ(found.size(), 1u);
+  EXPECT_EQ(found[0].shape, Salient_shape::TUBE);
+  EXPECT_NEAR(found[0].radius, 1, 0.1 * d * d / 2);
+}
+
 // The vertices of the cone are at 1 − z/4 from the axis.
 TEST(Salient_cones, have_a_slope)
 {
@@ -413,6 +434,21 @@ TEST(Salient_points, are_not_found_in_what_is_flat)
 TEST(Salient_points, are_not_found_in_what_is_flat_and_coarse)
 {
   expect_nothing_in_boxes({0.5, 0.3, 0.25, 0.2});
+}
+
+// A ball full of other surface is none. Cubes with half edges up to 0.34 are within 0.6 of the middle. One has 2.8 of area,
+// which is 0.22 for each of the sphere around it, and less than 0.3; with one of 0.28 in it, 4.7, which is 0.37.
+TEST(Salient_spheres, are_not_full_of_other_surface)
+{
+  const auto cube = [](double half) {
+    return shapes::translated(shapes::fine_box(Vector_3(2 * half, 2 * half, 2 * half), half / 4),
+                              Vector_3(-half, -half, -half));
+  };
+  const Soup around_one = joined(icosphere(3), cube(0.34));
+  const auto points = found_in(around_one);
+  ASSERT_EQ(points.size(), 1u);
+  expect_sphere(points[0], Point_3(0, 0, 0), 1);
+  EXPECT_TRUE(found_in(joined(around_one, cube(0.28))).empty());
 }
 
 } // namespace

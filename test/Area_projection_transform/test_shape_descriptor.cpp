@@ -452,4 +452,22 @@ TEST(Passed_normals, spread_as_far_as_told)
   EXPECT_NEAR(std::sqrt(variance / weight) / deviation, 1, 0.05);
 }
 
+// A plane that is folded into waves much smaller than the radius is seen as the plane: averaged normals are those of the
+// plane, the waves are α steep, and cos α of their area is that of the plane below them.
+TEST(Sampled_averaging_scale_space, of_a_folded_plane_has_the_area_of_the_plane)
+{
+  constexpr int n = 40;
+  const Soup folded = shapes::lattice_patch(
+      n, n, [](int i, int j) { return AP::Point_3(i, j, i % 2 == 0 ? 0.4 : -0.4); });
+  const AP::Triangle_surface surface = shapes::surface_of(folded);
+  const AP::internal::Passed_normals normals(surface);
+  const AP::internal::Sampled_averaging_scale_space scale_space(surface, normals, {10.}, 0.3, 0.5);
+  double area = 0;
+  scale_space.project(10, AP::Side::INSIDE, 1, [&](const AP::Projected_surfels& batch) {
+    area += std::accumulate(batch.areas.begin(), batch.areas.end(), 0.);
+  });
+  EXPECT_GT(surface.total_area(), 1.28 * n * n); // √(1 + 0.8²)
+  EXPECT_NEAR(area, n * n, 0.01 * n * n);
+}
+
 } // namespace

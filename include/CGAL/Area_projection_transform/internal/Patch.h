@@ -60,11 +60,17 @@ public:
   bool is_outside(const std::array<double, 3>& place) const { return !is_within(place, 0.5); }
 
   /// \brief sets all of `patch` but its amount.
+  ///
+  /// A piece that spreads farther than the ball, as rounding makes it when it is moved by 10^16 times its size, is taken for
+  /// a point at its mean.
+  ///
   /// \return whether the piece reaches any voxel
   bool make(const std::array<double, 3>& place, const Covariance_3& covariance, Patch& patch) const
   {
     const Covariance_3 c = (m_voxels_per_unit * m_voxels_per_unit) * covariance;
     const double b = m_radius * m_radius - c.trace();
+    if(!(b > 0))
+      return make(place, Covariance_3(), patch);
     const double ramp = std::sqrt(20 * largest_eigenvalue(c));
     const double half_ramp = 0.505 * ramp; // a little more, for the approximations of the kernel
     const double reach = m_radius + half_ramp;

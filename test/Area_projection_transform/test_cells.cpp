@@ -102,6 +102,18 @@ TEST(Cell_list, finds_what_is_in_a_ball)
   }
 }
 
+// A size that comes from an area may be 0.
+TEST(Cell_list, whose_cells_have_no_size_has_one)
+{
+  const std::vector<Vector> points = {{0, 0, 0}, {0, 0, 0}, {1, 0, 0}, {1e6, 0, 0}};
+  const in::Cell_list cells(points, 0);
+  EXPECT_EQ(found_in_ball(cells, points, Vector::Zero(), 1), (std::vector<std::size_t>{0, 1, 2}));
+  EXPECT_EQ(found_in_ball(cells, points, Vector::Zero(), 0), (std::vector<std::size_t>{0, 1}));
+  std::size_t pairs = 0;
+  cells.for_each_pair(0, [&](std::size_t, std::size_t, double) { ++pairs; });
+  EXPECT_EQ(pairs, 6u); // two points with each other and themselves, and two with themselves
+}
+
 TEST(Cell_list, of_nothing_has_nothing)
 {
   const std::vector<Vector> none;

@@ -31,8 +31,9 @@ public:
   Cell_list() = default;
 
   /// \param points must stay where they are for as long as they are asked for
+  /// \param cell_size if it is 0, as it is for a surface without area, all points share a cell
   Cell_list(const std::vector<Vector>& points, double cell_size)
-      : m_points(&points), m_scale(1 / cell_size), m_cells(points.size() / 4)
+      : m_points(&points), m_scale(cell_size > 0 ? 1 / cell_size : 0), m_cells(points.size() / 4)
   {
     if(!points.empty())
       m_origin = points.front();

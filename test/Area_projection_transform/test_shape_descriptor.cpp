@@ -73,6 +73,11 @@ TEST(Bins, put_values_where_they_belong)
   EXPECT_EQ(bins.bin(1.99f), 3u);
   EXPECT_EQ(bins.bin(1e30f), 3u);
   EXPECT_EQ(AP::Bins(4, 2, 2.).bin(0.25f), 1u); // counted as twice as much
+  const AP::Bins tiny(8, 1e-100);               // whose number per unit is no float
+  EXPECT_EQ(tiny.bin(0), 0u);
+  EXPECT_EQ(tiny.bin(1e-10f), 7u);
+  EXPECT_EQ(tiny.place(0).bin, 0u);
+  EXPECT_EQ(tiny.place(1e-10f).upper, AP::Bins::unit);
 }
 
 TEST(Bins, share_values_between_the_middles_of_neighbours)

@@ -40,11 +40,14 @@ inline constexpr double default_sampling_ratio = 0.15;
 /// \cond SKIP_IN_MANUAL
 namespace internal {
 
+/// for lengths and factors; their squares must be numbers, too.
 inline void check_positive(double value, const std::string& name)
 {
   if(!(value > 0) || !std::isfinite(value))
     throw std::invalid_argument(name + " is " + std::to_string(value) +
                                 ": must be positive and finite");
+  if(value > 1e150)
+    throw std::invalid_argument(name + " is more than 1e150");
 }
 
 inline void check_sigma_ratio(double ratio)

@@ -12,6 +12,7 @@
 #include <algorithm>
 #include <cstddef>
 #include <cstdint>
+#include <limits>
 #include <vector>
 
 namespace CGAL {
@@ -26,7 +27,9 @@ public:
   /// \param largest_value where the last bin ends
   /// \param factor what values are multiplied by
   Bins(std::size_t number, double largest_value, double factor = 1)
-      : m_number(number), m_factor(float(factor * double(number) / largest_value))
+      : m_number(number)
+      , m_factor(float(std::min(factor * double(number) / largest_value,
+                                double(std::numeric_limits<float>::max())))) // 0 times that is 0
   {}
 
   /// how many bins there are.

@@ -113,8 +113,8 @@ Command_line::Command_line(const std::string& name, const std::string& descripti
 
 CLI::Validator positive_number()
 {
-  return number_check("a positive number",
-                      [](double value) { return value > 0 && std::isfinite(value); });
+  return number_check("a positive number up to 1e150", // whose square the library can have
+                      [](double value) { return value > 0 && value <= 1e150; });
 }
 
 CLI::Validator number_between_0_and_1()

@@ -41,6 +41,7 @@ class Usage(Test):
                 (["--radii", "-1", "positive"], ["-R", "-1"]),
                 (["--radii", "0", "positive"], ["--radii", "0.5,0"]),
                 (["--radii", "nan", "positive"], ["--radii", "nan"]),
+                (["--radii", "1e200", "1e150"], ["--radii", "1e200"]),
                 (["--radii", "twice"], ["--radii", "0.5,0.5"]),
                 (["--radius-min", "-2"], ["--radius-min", -2]),
                 (["--radius-min", "3", "--radius-max", "2"],

@@ -4,6 +4,10 @@
 //
 // SPDX-License-Identifier: GPL-3.0-or-later
 
+// Maps written as images, read back, made by hand and damaged; test_vtk_readers.py has them read by VTK.
+
+#include "file_test.h"
+
 #include <CGAL/Area_projection_transform/IO/CSV.h>
 #include <CGAL/Area_projection_transform/IO/NRRD.h>
 #include <CGAL/Area_projection_transform/IO/VTI.h>
@@ -15,10 +19,7 @@
 #include <clocale>
 #include <cmath>
 #include <cstdint>
-#include <cstring>
 #include <filesystem>
-#include <fstream>
-#include <iterator>
 #include <limits>
 #include <locale>
 #include <random>
@@ -34,61 +35,11 @@ namespace fs = std::filesystem;
 
 namespace {
 
-/// a folder of its own for each test, removed with all that is in it.
-class Io : public ::testing::Test
+using file_test::File_test;
+
+class Image_io : public File_test
 {
 protected:
-  void SetUp() override
-  {
-    const auto* test = ::testing::UnitTest::GetInstance()->current_test_info();
-    folder = fs::temp_directory_path() /
-             ("area_projection-" + std::to_string(std::random_device()()) + "-" + test->name());
-    fs::create_directories(folder);
-  }
-  void TearDown() override { fs::remove_all(folder); }
-
-  std::string path(const std::string& name) const { return (folder / name).string(); }
-
-  std::string write(const std::string& name, const std::string& bytes) const
-  {
-    std::ofstream(path(name), std::ios_base::binary) << bytes;
-    return path(name);
-  }
-
-  static std::string bytes_of(const std::string& file)
-  {
-    std::ostringstream bytes;
-    bytes << std::ifstream(file, std::ios_base::binary).rdbuf();
-    return bytes.str();
-  }
-
-  std::size_t number_of_files() const
-  {
-    return std::size_t(std::distance(fs::directory_iterator(folder), fs::directory_iterator()));
-  }
-
-  /// what a function complains about, without the name of the folder.
-  template <class Function>
-  std::string complaint(Function function) const
-  {
-    try {
-      function();
-    } catch(const std::runtime_error& error) {
-      std::string text = error.what();
-      const std::string prefix = folder.string() + "/";
-      if(text.compare(0, prefix.size(), prefix) == 0)
-        text.erase(0, prefix.size());
-      return text;
-    }
-    return "";
-  }
-
-  std::string vtp_complaint(const std::string& bytes) const
-  {
-    const std::string file = write("a.vtp", bytes);
-    return complaint([&] { IO::read_VTP(file); });
-  }
-
   std::string vti_complaint(const std::string& bytes) const
   {
     const std::string file = write("a.vti", bytes);
@@ -100,8 +51,6 @@ protected:
     const std::string file = write("a.nrrd", bytes);
     return complaint([&] { IO::read_NRRD(file); });
   }
-
-  fs::path folder;
 };
 
 /// two arrays that no two voxels share a value of, with all a value can be.
@@ -173,50 +122,7 @@ void expect_sample(const IO::Stored_image& read, const Sample& sample)
   EXPECT_EQ(read.entry("SMAPT"), nullptr);
 }
 
-template <class Integer>
-std::string little_endian(Integer value)
-{
-  std::string bytes(sizeof(value), '\0');
-  std::memcpy(&bytes[0], &value, sizeof(value));
-  return bytes;
-}
-
-/// a `.vtp` file with one piece.
-std::string vtp(const std::string& content, const std::string& numbers,
-                const std::string& root = "byte_order=\"LittleEndian\"",
-                const std::string& tail = "")
-{
-  return "<VTKFile type=\"PolyData\" " + root + "><PolyData><Piece " + numbers + ">" + content +
-         "</Piece></PolyData>" + tail + "</VTKFile>\n";
-}
-
-std::string data_array(const std::string& attributes, const std::string& text)
-{
-  return "<DataArray " + attributes + ">" + text + "</DataArray>";
-}
-
-const std::string square_points =
-    "<Points>" +
-    data_array("type=\"Float32\" NumberOfComponents=\"3\" format=\"ascii\" Name=\"Points\"",
-               "0 0 0 1 0 0 1 1 0 0 1 0.25") +
-    "</Points>";
-
-std::string cells(const std::string& kind, const std::string& connectivity,
-                  const std::string& offsets)
-{
-  return "<" + kind + ">" +
-         data_array("type=\"Int64\" Name=\"connectivity\" format=\"ascii\"", connectivity) +
-         data_array("type=\"Int32\" Name=\"offsets\" format=\"ascii\"", offsets) + "</" + kind +
-         ">";
-}
-
-const std::string four = "NumberOfPoints=\"4\"";
-
-using Polygons = std::vector<std::vector<std::size_t>>;
-
-// ---------------------------------------------------------------------------------- images
-
-TEST_F(Io, image_survives_every_format_exactly)
+TEST_F(Image_io, survives_every_format_exactly)
 {
   const Sample sample;
   for(const bool compress : {false, true}) {
@@ -230,7 +136,7 @@ TEST_F(Io, image_survives_every_format_exactly)
   EXPECT_EQ(number_of_files(), 4u);
 }
 
-TEST_F(Io, vti_has_the_same_bytes_on_a_stream)
+TEST_F(Image_io, vti_has_the_same_bytes_on_a_stream)
 {
   const Sample sample;
   for(const bool compress : {false, true}) {
@@ -242,7 +148,7 @@ TEST_F(Io, vti_has_the_same_bytes_on_a_stream)
 }
 
 // more than a block of the compressed data, whose end is not the end of a row
-TEST_F(Io, image_larger_than_a_block)
+TEST_F(Image_io, larger_than_a_block)
 {
   const AP::Grid_3 grid(AP::Point_3(0, 0, 0), 1, {999, 67, 11});
   IO::Grid_image image(grid);
@@ -263,7 +169,7 @@ TEST_F(Io, image_larger_than_a_block)
 }
 
 template <class Scalar>
-class Scalar_types : public Io
+class Scalar_types : public File_test
 {};
 using All_scalars =
     ::testing::Types<std::int8_t, std::uint8_t, std::int16_t, std::uint16_t, std::int32_t,
@@ -286,7 +192,7 @@ TYPED_TEST(Scalar_types, keep_their_extremes)
     EXPECT_EQ(std::get<std::vector<TypeParam>>(read.array("a")->values), values);
 }
 
-TEST_F(Io, nrrd_of_one_array_is_a_plain_volume)
+TEST_F(Image_io, nrrd_of_one_array_is_a_plain_volume)
 {
   const Sample sample;
   IO::Grid_image image(sample.grid);
@@ -301,7 +207,7 @@ TEST_F(Io, nrrd_of_one_array_is_a_plain_volume)
   EXPECT_EQ(text.size() - text.find("\n\n") - 2, sample.values.size() * sizeof(float));
 }
 
-TEST_F(Io, nrrd_of_different_types_becomes_double)
+TEST_F(Image_io, nrrd_of_different_types_becomes_double)
 {
   const Sample sample;
   IO::Grid_image image(sample.grid);
@@ -318,14 +224,14 @@ TEST_F(Io, nrrd_of_different_types_becomes_double)
   EXPECT_EQ(number_of_files(), 1u);
 }
 
-TEST_F(Io, image_refuses_two_arrays_of_a_name)
+TEST_F(Image_io, refuses_two_arrays_of_a_name)
 {
   IO::Grid_image image(Sample().grid);
   image.add_array<float>("a", [](std::size_t, float*) {});
   EXPECT_THROW(image.add_array<float>("a", [](std::size_t, float*) {}), std::invalid_argument);
 }
 
-TEST_F(Io, compression_has_levels)
+TEST_F(Image_io, compression_has_levels)
 {
   const Sample sample;
   for(const int level : {-1, 10}) {
@@ -337,7 +243,7 @@ TEST_F(Io, compression_has_levels)
   EXPECT_EQ(number_of_files(), 0u);
 }
 
-TEST_F(Io, image_without_arrays_is_an_image)
+TEST_F(Image_io, without_arrays_is_an_image)
 {
   const Sample sample;
   IO::write_VTI(path("a.vti"), IO::Grid_image(sample.grid));
@@ -356,7 +262,7 @@ std::string vti(const std::string& attributes, const std::string& content,
 const std::string unit = "Origin='1 2 3' Spacing='2 2 2'";
 const std::string two_values = "<DataArray type='Float32' Name='a'> 0.5 +2e0\n</DataArray>";
 
-TEST_F(Io, vti_by_hand)
+TEST_F(Image_io, vti_by_hand)
 {
   EXPECT_EQ(vti_complaint(vti(unit, two_values)), "");
   const IO::Stored_image read = IO::read_VTI(path("a.vti"));
@@ -364,7 +270,7 @@ TEST_F(Io, vti_by_hand)
   EXPECT_EQ(std::get<std::vector<float>>(read.array("a")->values), (std::vector<float>{0.5f, 2.f}));
 }
 
-TEST_F(Io, vti_that_is_no_map)
+TEST_F(Image_io, vti_that_is_no_map)
 {
   EXPECT_EQ(
       vti_complaint(vti("Origin='1 2 3' Spacing='2 2 1'", two_values)),
@@ -387,7 +293,7 @@ TEST_F(Io, vti_that_is_no_map)
             "a.vti: array 'a': type is 'Bit': not supported");
 }
 
-TEST_F(Io, nrrd_that_is_no_map)
+TEST_F(Image_io, nrrd_that_is_no_map)
 {
   const std::string start = "NRRD0004\ntype: uchar\ndimension: 3\nsizes: 2 1 1\n";
   const std::string space = "space directions: (1,0,0) (0,1,0) (0,0,1)\nspace origin: (0,0,0)\n";
@@ -413,227 +319,24 @@ TEST_F(Io, nrrd_that_is_no_map)
   EXPECT_EQ(nrrd_complaint("P5 1 1"), "a.nrrd: is not a NRRD file");
 }
 
-// ---------------------------------------------------------------------------------- meshes
-
-TEST_F(Io, vtp_by_hand)
-{
-  EXPECT_EQ(vtp_complaint(vtp(square_points + cells("Polys", "0 1 2 3 0 1 2", "4 7"), four)), "");
-  const IO::Poly_data data = IO::read_VTP(path("a.vtp"));
-  ASSERT_EQ(data.points.size(), 4u);
-  EXPECT_EQ(data.points[3], AP::Point_3(0, 1, 0.25));
-  EXPECT_EQ(data.polygons, (Polygons{{0, 1, 2, 3}, {0, 1, 2}}));
-  EXPECT_TRUE(data.normals.empty());
-}
-
-TEST_F(Io, vtp_strips_keep_their_orientation)
-{
-  write("a.vtp", vtp(square_points + cells("Strips", "0 1 3 2", "4"), four));
-  EXPECT_EQ(IO::read_VTP(path("a.vtp")).polygons, (Polygons{{0, 1, 3}, {1, 2, 3}}));
-}
-
-TEST_F(Io, vtp_points_with_normals)
-{
-  const std::string normals =
-      "<PointData Normals='N'>" +
-      data_array("type='Float64' Name='other' NumberOfComponents='3'", "9 9 9 9 9 9 9 9 9 9 9 9") +
-      data_array("type='Float64' Name='N' NumberOfComponents='3'", "0 0 1 0 0 1 0 0 1 0 1 0") +
-      "</PointData>";
-  write("a.vtp", vtp(square_points + normals + cells("Verts", "0 1 2 3", "1 2 3 4"),
-                     four + " NumberOfVerts='4'"));
-  const IO::Poly_data data = IO::read_VTP(path("a.vtp"));
-  EXPECT_TRUE(data.polygons.empty());
-  EXPECT_EQ(data.number_of_vertex_cells, 4u);
-  ASSERT_EQ(data.normals.size(), 4u);
-  EXPECT_EQ(data.normals[3], AP::Vector_3(0, 1, 0));
-}
-
-TEST_F(Io, vtp_pieces_become_one)
-{
-  const std::string piece =
-      "<Piece NumberOfPoints='4'>" + square_points + cells("Polys", "0 1 2", "3") + "</Piece>";
-  write("a.vtp", "<VTKFile type='PolyData'><PolyData>" + piece + piece + "</PolyData></VTKFile>");
-  const IO::Poly_data data = IO::read_VTP(path("a.vtp"));
-  EXPECT_EQ(data.points.size(), 8u);
-  EXPECT_EQ(data.polygons, (Polygons{{0, 1, 2}, {4, 5, 6}}));
-}
-
-TEST_F(Io, vtp_indices_are_checked)
-{
-  const auto defect = [&](const std::string& connectivity, const std::string& offsets) {
-    return vtp_complaint(vtp(square_points + cells("Polys", connectivity, offsets), four));
-  };
-  EXPECT_EQ(defect("0 1 4", "3"), "a.vtp: array 'connectivity': value 2 is 4: there are 4 points");
-  EXPECT_EQ(defect("0 -1 2", "3"),
-            "a.vtp: array 'connectivity': value 1 is -1: there are 4 points");
-  EXPECT_EQ(defect("0 1 2", "4"), "a.vtp: array 'offsets': value 0 is 4: must be from 0 to 3");
-  EXPECT_EQ(defect("0 1 2 3", "3 2"), "a.vtp: array 'offsets': value 1 is 2: must be from 3 to 4");
-  EXPECT_EQ(defect("0 1 2 3", "3"),
-            "a.vtp: array 'offsets': ends at 3: array 'connectivity' has 4 values");
-  EXPECT_EQ(defect("0 1 x", "3"),
-            "a.vtp: array 'connectivity': value 2 is 'x': not a number of its type");
-}
-
-TEST_F(Io, vtp_numbers_are_claims)
-{
-  EXPECT_EQ(vtp_complaint(vtp(square_points, "NumberOfPoints='18446744073709551615'")),
-            "a.vtp: array 'Points': has 4 points: NumberOfPoints is 18446744073709551615");
-  EXPECT_EQ(vtp_complaint(vtp(square_points, "NumberOfPoints='-4'")),
-            "a.vtp: attribute NumberOfPoints of element 'Piece' is '-4': must be 1 number");
-  EXPECT_EQ(vtp_complaint(vtp("<Points><DataArray Name='p' type='Float32'>1 2</DataArray></Points>",
-                              "NumberOfPoints='1'")),
-            "a.vtp: array 'p': has 2 values in groups of 1: 3 coordinates are needed");
-}
-
-TEST_F(Io, vtk_xml_that_cannot_be_read)
-{
-  EXPECT_EQ(vtp_complaint(""), "a.vtp: is empty");
-  EXPECT_EQ(vtp_complaint("OFF\n0 0 0\n"), "a.vtp: line 1: is not XML");
-  EXPECT_EQ(vtp_complaint("<svg></svg>"), "a.vtp: is not a VTK XML file");
-  EXPECT_EQ(vtp_complaint("<VTKFile type=\"PolyData\">\n<PolyData>"),
-            "a.vtp: line 2: ends early: element 'PolyData' is not closed");
-  EXPECT_EQ(vtp_complaint("<VTKFile>\n</VTKFiles>"),
-            "a.vtp: line 2: the end tag 'VTKFiles' matches no start tag");
-  EXPECT_EQ(vtp_complaint("<!DOCTYPE a [<!ENTITY b 'c'>]><a/>"),
-            "a.vtp: line 1: has a document type or CDATA section, which are not supported");
-  EXPECT_EQ(vtp_complaint("<VTKFile type=\"ImageData\"><ImageData/></VTKFile>"),
-            "a.vtp: holds 'ImageData': PolyData is needed");
-  EXPECT_EQ(vtp_complaint(vtp("", four, "byte_order=\"BigEndian\"")),
-            "a.vtp: byte_order is not LittleEndian: not supported; write the file in ascii or on a "
-            "little-endian machine");
-  EXPECT_EQ(
-      vtp_complaint(vtp("", four, "compressor=\"vtkLZ4DataCompressor\"")),
-      "a.vtp: compressor is 'vtkLZ4DataCompressor': not supported; write the file with zlib or "
-      "without compression");
-  EXPECT_EQ(complaint([&] { IO::read_VTP(path("absent.vtp")); }),
-            "absent.vtp: cannot be opened: No such file or directory");
-  EXPECT_NE(complaint([&] { IO::read_VTP(folder.string()); }).find("Is a directory"),
-            std::string::npos);
-}
-
-// a million nested elements neither exhaust the stack nor take long
-TEST_F(Io, vtk_xml_nested_without_end)
-{
-  std::string bytes;
-  for(int i = 0; i < 1100000; ++i)
-    bytes += "<a>";
-  EXPECT_EQ(vtp_complaint(bytes), "a.vtp: line 1: has more than 1000000 elements");
-}
-
-std::string appended_points(const std::string& root, const std::string& bytes,
-                            const std::string& encoding = "raw", const std::string& offset = "0")
-{
-  return vtp("<Points>" +
-                 data_array("type='Float64' NumberOfComponents='3' Name='P' format='appended' "
-                            "offset='" +
-                                offset + "'",
-                            "") +
-                 "</Points>",
-             "NumberOfPoints='1'", root,
-             "<AppendedData encoding=\"" + encoding + "\">_" + bytes + "</AppendedData>");
-}
-
-TEST_F(Io, vtk_appended_data_are_claims)
-{
-  const std::string root = "header_type='UInt64'";
-  const std::string zlib = root + " compressor='vtkZLibDataCompressor'";
-  const auto huge = little_endian(std::uint64_t(1) << 62);
-  const auto one = little_endian(std::uint64_t(1));
-  const auto three =
-      little_endian(std::uint64_t(24)) + little_endian(1.) + little_endian(2.) + little_endian(3.);
-  EXPECT_EQ(vtp_complaint(appended_points(root, three)), "");
-  EXPECT_EQ(IO::read_VTP(path("a.vtp")).points.front(), AP::Point_3(1, 2, 3));
-  EXPECT_EQ(vtp_complaint(appended_points(root, huge)),
-            "a.vtp: array 'P': claims 4611686018427387904 bytes: more than are left in the file");
-  EXPECT_EQ(vtp_complaint(appended_points(root, three, "raw", "99999")),
-            "a.vtp: array 'P': offset is 99999: the appended data have 58 bytes");
-  EXPECT_EQ(vtp_complaint(appended_points(root, three, "raw", "-1")),
-            "a.vtp: array 'P': offset is '-1': not a number of bytes");
-  EXPECT_EQ(vtp_complaint(appended_points(zlib, huge)),
-            "a.vtp: array 'P': claims 4611686018427387904 compressed blocks: more than fit in the "
-            "file");
-  EXPECT_EQ(vtp_complaint(appended_points(zlib, one + huge + huge + huge)),
-            "a.vtp: array 'P': block 0 claims 4611686018427387904 bytes: more than are left in the "
-            "file");
-  EXPECT_EQ(vtp_complaint(appended_points(zlib, one + huge + huge + one + "x")),
-            "a.vtp: array 'P': the compressed data end early");
-  EXPECT_EQ(vtp_complaint(appended_points(root, "!!!!", "base64")),
-            "a.vtp: array 'P': is not base64: has the character '!'");
-  EXPECT_EQ(vtp_complaint(appended_points(root, "AAAA", "base64")),
-            "a.vtp: array 'P': ends early: needs 8 bytes, has 3");
-}
-
 // every prefix and every changed byte of a good file is read or refused, nothing else
-TEST_F(Io, damaged_files_are_read_or_refused)
+TEST_F(Image_io, damaged_files_are_read_or_refused)
 {
   const Sample sample;
   std::ostringstream compressed, plain, nrrd;
   IO::write_VTI(compressed, sample.image());
   IO::write_VTI(plain, sample.image(), {false, 1});
   IO::write_NRRD(nrrd, sample.image());
-  const std::string mesh = vtp(square_points + cells("Polys", "0 1 2 3 0 1 2", "4 7"), four);
   std::mt19937 random(1);
-  for(const std::string& good : {compressed.str(), plain.str(), nrrd.str(), mesh}) {
-    for(std::size_t trial = 0; trial < 400; ++trial) {
-      std::string bytes = good.substr(0, trial % 2 == 0 ? good.size() : random() % good.size());
-      for(std::size_t change = 0; change < trial % 4 && !bytes.empty(); ++change)
-        bytes[random() % bytes.size()] = char(random());
+  for(const std::string& good : {compressed.str(), plain.str(), nrrd.str()})
+    file_test::for_each_damaged(good, random, [&](const std::string& bytes) {
       vti_complaint(bytes);
-      vtp_complaint(bytes);
       nrrd_complaint(bytes);
-    }
-  }
+      complaint([&] { IO::read_VTP(write("a.vtp", bytes)); });
+    });
 }
 
-// ---------------------------------------------------------------------------------- output
-
-TEST_F(Io, file_appears_whole_or_not_at_all)
-{
-  const std::string name = write("a.txt", "old");
-  {
-    IO::internal::Atomic_file file(name);
-    file.stream() << "new";
-    EXPECT_TRUE(file.is_seekable());
-  }
-  EXPECT_EQ(bytes_of(name), "old");
-  EXPECT_EQ(number_of_files(), 1u);
-  {
-    IO::internal::Atomic_file file(name);
-    file.stream() << "new";
-    EXPECT_EQ(bytes_of(name), "old");
-    file.commit();
-  }
-  EXPECT_EQ(bytes_of(name), "new");
-  EXPECT_EQ(number_of_files(), 1u);
-}
-
-TEST_F(Io, file_is_written_through_a_link)
-{
-  write("a.txt", "old");
-  fs::create_symlink("a.txt", folder / "link");
-  IO::internal::Atomic_file file(path("link"));
-  file.stream() << "new";
-  file.commit();
-  EXPECT_TRUE(fs::is_symlink(folder / "link"));
-  EXPECT_EQ(bytes_of(path("a.txt")), "new");
-}
-
-TEST_F(Io, file_that_cannot_be_written)
-{
-  const Sample sample;
-  const IO::Grid_image image = sample.image();
-  EXPECT_EQ(complaint([&] { IO::write_VTI(path("absent/a.vti"), image); }),
-            "absent/a.vti: cannot be created: No such file or directory");
-  EXPECT_THROW(IO::write_NRRD(folder.string(), image), IO::Output_error);
-  if(fs::exists("/dev/full")) {
-    EXPECT_EQ(complaint([&] { IO::write_VTI("/dev/full", image); }),
-              "/dev/full: cannot be written: No space left on device");
-    EXPECT_EQ(complaint([&] { IO::write_NRRD("/dev/full", image); }),
-              "/dev/full: cannot be written: No space left on device");
-  }
-  EXPECT_EQ(number_of_files(), 0u);
-}
-
-TEST_F(Io, file_of_an_image_that_throws_is_removed)
+TEST_F(Image_io, file_of_an_image_that_throws_is_removed)
 {
   IO::Grid_image image(Sample().grid);
   image.add_array<float>("a", [](std::size_t row, float*) {
@@ -648,7 +351,7 @@ TEST_F(Io, file_of_an_image_that_throws_is_removed)
 }
 
 // a comma for the decimal point must neither be written nor expected
-TEST_F(Io, locale_does_not_matter)
+TEST_F(Image_io, locale_does_not_matter)
 {
   const std::string before = std::setlocale(LC_ALL, nullptr);
   for(const char* name : {"de_DE.UTF-8", "fr_FR.UTF-8"})

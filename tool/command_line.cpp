@@ -9,6 +9,8 @@
 #include "errors.h"
 #include "text.h"
 
+#include <CGAL/Area_projection_transform/lengths.h>
+
 #include <algorithm>
 #include <cmath>
 #include <iostream>
@@ -113,8 +115,9 @@ Command_line::Command_line(const std::string& name, const std::string& descripti
 
 CLI::Validator positive_number()
 {
-  return number_check("a positive number up to 1e150", // whose square the library can have
-                      [](double value) { return value > 0 && value <= 1e150; });
+  return number_check("a positive number up to 1e150", [](double value) {
+    return value > 0 && value <= CGAL::Area_projection::largest_length;
+  });
 }
 
 CLI::Validator number_between_0_and_1()

@@ -62,6 +62,8 @@ TEST(Csv, defects_of_queries)
             "points.csv: line 5: y is 'nan': must be finite");
   EXPECT_EQ(queries_complaint(header + "1,2,3,1,-1\n"),
             "points.csv: line 5: sigma is '-1': must be positive");
+  EXPECT_EQ(queries_complaint(header + "1,2,3,1e200,1\n"),
+            "points.csv: line 5: radius is '1e200': must be at most 1e+150");
   EXPECT_EQ(queries_complaint(header + "1,2,,1,1\n"), "points.csv: line 5: z is '': not a number");
   EXPECT_EQ(queries_complaint(header + "1,2,3\n"),
             "points.csv: line 5: radius is missing: there are 3 fields");

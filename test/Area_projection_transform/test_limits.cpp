@@ -79,7 +79,7 @@ TEST(Limits, parameters_out_of_range_are_named)
   EXPECT_EQ(with_scale({0, 1}), "radius of scales[0] is 0.000000: must be positive and finite");
   EXPECT_EQ(with_scale({1, -1}), "sigma of scales[0] is -1.000000: must be positive and finite");
   EXPECT_EQ(with_scale({1, 1e151}),
-            "sigma of scales[0] is more than 1e150"); // its square is no number
+            "sigma of scales[0] is more than 1e150: its square must be a number");
   EXPECT_EQ(shapes::complaint([&] { AP::sample_surfels(surface.source(), 0); }),
             "spacing is 0.000000: must be positive and finite");
 }

@@ -8,6 +8,7 @@
 #define CGAL_AREA_PROJECTION_TRANSFORM_GRID_3_H
 
 #include <CGAL/Area_projection_transform/Kernel.h>
+#include <CGAL/Area_projection_transform/lengths.h>
 
 #include <CGAL/Bbox_3.h>
 
@@ -33,14 +34,12 @@ public:
   /// \param origin the centre of the first voxel
   /// \param spacing the distance of neighbours, in the unit of the points
   /// \param size the numbers of lattice points along the axes
-  /// \throw std::invalid_argument if `spacing` is not positive and finite, a coordinate of `origin`
-  /// is not finite, or a size is not positive.
+  /// \throw std::invalid_argument if `spacing` is not positive or more than `largest_length`, a
+  /// coordinate of `origin` is not finite, or a size is not positive.
   Grid_3(const Point_3& origin, double spacing, const std::array<int, 3>& size)
       : m_origin(origin), m_spacing(spacing), m_size(size)
   {
-    if(!(spacing > 0) || !std::isfinite(spacing))
-      throw std::invalid_argument("spacing is " + std::to_string(spacing) +
-                                  ": must be positive and finite");
+    internal::check_positive(spacing, "spacing");
     for(int axis = 0; axis < 3; ++axis) {
       if(!std::isfinite(origin[axis]))
         throw std::invalid_argument("origin has a coordinate that is not finite");
@@ -97,13 +96,11 @@ private:
 /// \param box the box, in any unit of length
 /// \param spacing the distance of neighbours, in the same unit, positive
 /// \param margin how far the lattice reaches beyond the box at least, in the same unit, not negative
-/// \throw std::invalid_argument if `spacing` is not positive, `margin` is negative, `box` is empty, or
-/// a side would have more than 2^24 lattice points.
+/// \throw std::invalid_argument if `spacing` is not positive or more than `largest_length`, `margin` is
+/// negative, `box` is empty, or a side would have more than 2^24 lattice points.
 inline Grid_3 grid_around(const Bbox_3& box, double spacing, double margin = 0)
 {
-  if(!(spacing > 0) || !std::isfinite(spacing))
-    throw std::invalid_argument("spacing is " + std::to_string(spacing) +
-                                ": must be positive and finite");
+  internal::check_positive(spacing, "spacing");
   if(!(margin >= 0))
     throw std::invalid_argument("margin is " + std::to_string(margin) + ": must not be negative");
   std::array<double, 3> first;

@@ -7,6 +7,8 @@
 #ifndef CGAL_AREA_PROJECTION_TRANSFORM_SCALES_H
 #define CGAL_AREA_PROJECTION_TRANSFORM_SCALES_H
 
+#include <CGAL/Area_projection_transform/lengths.h>
+
 #include <cmath>
 #include <cstddef>
 #include <stdexcept>
@@ -39,16 +41,6 @@ inline constexpr double default_sampling_ratio = 0.15;
 
 /// \cond SKIP_IN_MANUAL
 namespace internal {
-
-/// for lengths and factors; their squares must be numbers, too.
-inline void check_positive(double value, const std::string& name)
-{
-  if(!(value > 0) || !std::isfinite(value))
-    throw std::invalid_argument(name + " is " + std::to_string(value) +
-                                ": must be positive and finite");
-  if(value > 1e150)
-    throw std::invalid_argument(name + " is more than 1e150");
-}
 
 inline void check_sigma_ratio(double ratio)
 {

@@ -9,6 +9,7 @@
 
 #include <CGAL/Area_projection_transform/IO/number_text.h>
 #include <CGAL/Area_projection_transform/Kernel.h>
+#include <CGAL/Area_projection_transform/lengths.h>
 
 #include <algorithm>
 #include <array>
@@ -245,7 +246,7 @@ private:
 
   double number(std::size_t c) const
   {
-    const auto fail = [&](const std::string& text, const char* cause) {
+    const auto fail = [&](const std::string& text, const std::string& cause) {
       m_reader.fail(std::string(names[c]) + " is " + in_quotes(text) + ": " + cause);
     };
     if(m_columns[c] == absent)
@@ -263,6 +264,8 @@ private:
       fail(text, "must be finite");
     if(c >= RADIUS && !(value > 0))
       fail(text, "must be positive");
+    if(c >= RADIUS && value > largest_length)
+      fail(text, "must be at most " + to_text(largest_length));
     return value;
   }
 
@@ -282,7 +285,8 @@ private:
 /// \param in the text of the table
 /// \param name stands for the input in messages
 /// \throw std::runtime_error if a column is missing, a value is not a finite number, or a radius or
-/// sigma is not positive; its text names the line, the column and the defect.
+/// sigma is not positive or more than `largest_length`; its text names the line, the column and the
+/// defect.
 inline std::vector<Query> read_queries(std::istream& in, const std::string& name)
 {
   return internal::Query_table(in, name).read();

@@ -1,0 +1,40 @@
+// Copyright (c) 2026 The Area Projection Transform authors.
+//
+// This file is part of the Area_projection_transform package.
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#ifndef CGAL_AREA_PROJECTION_TRANSFORM_LENGTHS_H
+#define CGAL_AREA_PROJECTION_TRANSFORM_LENGTHS_H
+
+#include <cmath>
+#include <stdexcept>
+#include <string>
+
+namespace CGAL {
+namespace Area_projection {
+
+/// \ingroup PkgAreaProjectionTransformGround
+/// the largest radius, `σ` or spacing, in whatever unit: the squares of larger ones are soon no numbers.
+inline constexpr double largest_length = 1e150;
+
+/// \cond SKIP_IN_MANUAL
+namespace internal {
+
+/// for lengths and factors.
+inline void check_positive(double value, const std::string& name)
+{
+  if(!(value > 0) || !std::isfinite(value))
+    throw std::invalid_argument(name + " is " + std::to_string(value) +
+                                ": must be positive and finite");
+  if(value > largest_length)
+    throw std::invalid_argument(name + " is more than 1e150: its square must be a number");
+}
+
+} // namespace internal
+/// \endcond
+
+} // namespace Area_projection
+} // namespace CGAL
+
+#endif // CGAL_AREA_PROJECTION_TRANSFORM_LENGTHS_H

@@ -211,6 +211,26 @@ TEST(Exact_evaluator, agrees_with_the_sum_over_all_triangles_for_any_number_of_t
   }
 }
 
+// A place is rounded to 1e-16 of its distance: that moves the rim of the ball, which crosses a triangle over a
+// length of at most its longest edge.
+TEST(Exact_evaluator, knows_what_the_rim_of_a_ball_cuts_that_is_much_larger_than_the_surface)
+{
+  shapes::Random random(4);
+  const Soup blob = shapes::blob(3, 1);
+  const AP::Triangle_surface surface = shapes::surface_of(blob);
+  const AP::Exact_evaluator evaluator(shapes::scale_space_of(blob), 0.5, Side::INSIDE);
+  double edges = 0;
+  for(std::size_t t = 0; t < surface.size(); ++t)
+    edges += AP::internal::projected_triangle(surface, t, 0).longest_edge();
+  for(const double far : {1e2, 1e4, 1e6, 1e8})
+    for(int n = 0; n < 30; ++n) {
+      const Point_3 x = CGAL::ORIGIN + far * random.direction();
+      const double sigma = far + random(-1, 1);
+      ASSERT_NEAR(evaluator(x, sigma), sum_over_triangles(blob, x, 0.5, sigma),
+                  1e-15 * far * edges);
+    }
+}
+
 // Seen from 2^40 times its size, a triangle is within a ball or not: the corners round to what may be any shape.
 TEST(Flat_triangle, is_a_point_from_very_far_away)
 {

@@ -15,6 +15,7 @@
 #include <CGAL/Area_projection_transform/internal/simd/for_each_instruction_set.h>
 
 #include <boost/math/quadrature/gauss_kronrod.hpp>
+#include <boost/multiprecision/cpp_bin_float.hpp>
 
 #include <gtest/gtest.h>
 
@@ -35,6 +36,12 @@ double within_disk(const Corners& corners, double radius)
 {
   return CGAL::Area_projection::internal::triangle_disk_area(corners, radius, area_of(corners));
 }
+
+struct Case
+{
+  Corners corners;
+  double radius;
+};
 
 Corners translated(const Corners& c, Complex by)
 {
@@ -257,6 +264,62 @@ TEST(Triangle_disk, grows_with_the_radius_from_nothing_to_the_triangle)
   }
 }
 
+/// the same by the formula of Green in fifty digits, of which differences of huge sectors may lose thirty.
+double in_fifty_digits(const Corners& corners, double radius)
+{
+  using Number = boost::multiprecision::cpp_bin_float_50;
+  using Point = std::array<Number, 2>;
+  const auto cross = [](const Point& u, const Point& v) {
+    return Number(u[0] * v[1] - u[1] * v[0]);
+  };
+  const auto dot = [](const Point& u, const Point& v) { return Number(u[0] * v[0] + u[1] * v[1]); };
+  const Number squared_radius = Number(radius) * radius;
+  const auto sector = [&](const Point& u, const Point& v) {
+    return Number(squared_radius * atan2(cross(u, v), dot(u, v)));
+  };
+  Number doubled = 0;
+  for(std::size_t i = 0; i < 3; ++i) {
+    const Complex &from = corners[i], &to = corners[(i + 1) % 3];
+    const Point p{from.real(), from.imag()}, q{to.real(), to.imag()};
+    const Point d{q[0] - p[0], q[1] - p[1]};
+    const Number a = dot(d, d), b = dot(p, d), c = dot(p, p) - squared_radius;
+    const Number discriminant = b * b - a * c;
+    const Number root = sqrt(discriminant > 0 ? discriminant : Number(0));
+    const Number enter = std::max<Number>((-b - root) / a, 0);
+    const Number leave = std::min<Number>((-b + root) / a, 1);
+    if(!(enter < leave)) {
+      doubled += sector(p, q);
+      continue;
+    }
+    const Point in{p[0] + enter * d[0], p[1] + enter * d[1]};
+    const Point out{p[0] + leave * d[0], p[1] + leave * d[1]};
+    doubled += sector(p, in) + cross(in, out) + sector(out, q);
+  }
+  return double(doubled / 2);
+}
+
+/// triangles about a unit wide at the rim of a disk that may be much larger.
+std::vector<Case> cases_at_the_rim(double radius)
+{
+  shapes::Random random(11);
+  std::vector<Case> cases;
+  while(cases.size() < 1600) {
+    const Corners corners = random_triangle(random, 1.);
+    if(area_of(corners) > 0.01)
+      cases.push_back(
+          {translated(corners, std::polar(radius + random(-1, 1), random(0, 2 * pi))), radius});
+  }
+  return cases;
+}
+
+// Where a rim of this radius passes is rounded, to 1e-16 of it, and it crosses at most two edges.
+TEST(Triangle_disk, errs_by_roundings_of_the_radius_times_the_longest_edge)
+{
+  for(const double radius : {1e1, 1e3, 1e6, 1e9, 1e11})
+    for(const auto& [corners, r] : cases_at_the_rim(radius))
+      ASSERT_NEAR(within_disk(corners, r), in_fifty_digits(corners, r), 2e-15 * radius) << radius;
+}
+
 // ---------------------------------------------------------------- the kernel
 
 /// sixteen triangles and disks as the kernel wants them.
@@ -301,12 +364,6 @@ struct Way_between
   {
     CGAL_AREA_PROJECTION_DISPATCHED(areas_between_the_ends, triangles, areas);
   }
-};
-
-struct Case
-{
-  Corners corners;
-  double radius;
 };
 
 /// \brief the largest error of the kernel over all instruction sets, which must give the same bits.
@@ -366,6 +423,13 @@ TEST(Triangle_disk_kernel, errs_by_a_few_roundings_of_triangles_of_any_size)
     EXPECT_LT((largest_error<float, Way_between>(cases)), 8e-7) << extent;
     EXPECT_LT((largest_error<double, Way_between>(cases)), 1e-14 * (1 + extent)) << extent;
   }
+}
+
+TEST(Triangle_disk_kernel, errs_by_roundings_of_the_radius_times_the_longest_edge)
+{
+  for(const double radius : {1e3, 1e6, 1e9, 1e11})
+    EXPECT_LT((largest_error<double, Way_along>(cases_at_the_rim(radius))), 4e-15 * radius)
+        << radius;
 }
 
 TEST(Triangle_disk_kernel, knows_slivers)

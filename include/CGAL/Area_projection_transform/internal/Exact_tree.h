@@ -51,6 +51,7 @@ struct Exact_tree
 {
   std::vector<Triangle_block> leaves;
   std::vector<std::vector<Box_block>> levels;
+  double longest_edge = 0;
 };
 
 /// builds an `Exact_tree` of a surface that is projected by `distance`.
@@ -158,6 +159,7 @@ private:
       block.along[edge][lane] = triangle.directions[edge + 1][0];
       block.across[edge][lane] = triangle.directions[edge + 1][1];
     }
+    tree.longest_edge = std::max(tree.longest_edge, triangle.longest_edge());
     block.factor[lane] = m_surface.areas[t] / triangle.doubled_area;
     boxes.area[leaf % block_size] += m_surface.areas[t];
   }

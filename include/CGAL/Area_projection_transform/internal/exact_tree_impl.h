@@ -72,11 +72,16 @@ private:
       if(mask(squared_disk > Doubles{}) == 0)
         continue;
       const Doubles x = dot(leaf.x_axis, corner), y = dot(leaf.y_axis, corner);
-      add(of(leaf.factor) * doubled_area(leaf, i, x, y, squared_disk), i);
+      add(of(leaf.factor) * (m_radius > m_tree.longest_edge
+                                 ? doubled_area<Along_the_edges>(leaf, i, x, y, squared_disk)
+                                 : doubled_area<Between_the_ends>(leaf, i, x, y, squared_disk)),
+          i);
     }
   }
 
+  /// \tparam Way how the boundary is followed: what suits the size of the ball
   /// \param x, y the first corners relative to the centres of the disks, in the planes of the triangles
+  template <class Way>
   static Doubles doubled_area(const Triangle_block& leaf, int i, Doubles x, Doubles y,
                               Doubles squared_disk)
   {
@@ -102,7 +107,7 @@ private:
     seen.end[2] = x * along[1] + y * across[1];
     seen.start[2] = seen.end[2] - edges.length[2];
     seen.height[2] = x * across[1] - y * along[1];
-    return min(doubled_area_within_disk<Between_the_ends>(edges, seen, squared_disk),
+    return min(doubled_area_within_disk<Way>(edges, seen, squared_disk),
                edges.length[0] * edges.length[1] * edges.sine[0]);
   }
 

@@ -32,7 +32,10 @@ inline bool contains_origin(const std::array<std::complex<double>, 3>& corners)
 /// By Green's theorem, half the sum over the boundary of the intersection: along its straight parts
 /// the cross products of their ends, along its arcs `radius²` times their angle. An edge outside
 /// of the disk stands for an arc of the angle under which it is seen. The angles are multiplied
-/// as complex numbers, so that one arctangent serves the whole triangle.
+/// as complex numbers, so that one arctangent serves the whole triangle. All cross products are parts of
+/// that of an edge: those of its ends, which may be almost the same seen from far away, would cancel.
+///
+/// It errs by a few roundings of the product of the radius and the longest edge.
 ///
 /// \param corners in counterclockwise order
 /// \param area the area of the triangle
@@ -44,6 +47,12 @@ inline double triangle_disk_area(const std::array<std::complex<double>, 3>& corn
   const auto cross = [](auto u, auto v) { return u.real() * v.imag() - u.imag() * v.real(); };
 
   const double squared_radius = radius * radius;
+  if(std::max({std::norm(corners[0]), std::norm(corners[1]), std::norm(corners[2])}) <=
+     squared_radius)
+    return area;
+  const auto seen = [&](auto from, auto to, double from_cross_to) {
+    return std::complex<double>(dot(from, to), from_cross_to) / squared_radius;
+  };
   double straight = 0;
   std::complex<double> arcs = 1;
   bool has_straight = false;
@@ -51,6 +60,7 @@ inline double triangle_disk_area(const std::array<std::complex<double>, 3>& corn
     const std::complex<double> p = corners[i], q = corners[(i + 1) % 3], d = q - p;
     // The edge p + t d crosses the circle where a t² + 2 b t + c = 0.
     const double a = dot(d, d), b = dot(p, d), c = dot(p, p) - squared_radius;
+    const double whole = cross(p, d);
     const double discriminant = b * b - a * c;
     double enter = 1, leave = 0;
     if(discriminant > 0) {
@@ -61,14 +71,14 @@ inline double triangle_disk_area(const std::array<std::complex<double>, 3>& corn
     if(enter < leave) {
       const std::complex<double> in = enter > 0 ? p + enter * d : p;
       const std::complex<double> out = leave < 1 ? p + leave * d : q;
-      straight += cross(in, out);
+      straight += (leave - enter) * whole;
       has_straight = true;
       if(enter > 0)
-        arcs *= std::conj(p) * in / squared_radius;
+        arcs *= seen(p, in, enter * whole);
       if(leave < 1)
-        arcs *= std::conj(out) * q / squared_radius;
+        arcs *= seen(out, q, (1 - leave) * whole);
     } else
-      arcs *= std::conj(p) * q / squared_radius;
+      arcs *= seen(p, q, whole);
   }
 
   if(!has_straight) // no edge meets the disk: it lies within the triangle, or outside

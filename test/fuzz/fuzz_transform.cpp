@@ -68,12 +68,12 @@ void require_in_bounds(double value, double area, const char* what)
               std::to_string(area));
 }
 
-/// \brief What a sum over all triangles differs from the tree by: where the rim of a ball passes is rounded, to 1e-15
-/// of how far away all is.
+/// \brief What a sum over all triangles differs from the tree by: where the rim of a ball passes is rounded, to some
+/// 1e-15 of how far away all is from the ball and from the origin.
 void compare_sum(const AP::Exact_evaluator& tree, const AP::Triangle_surface& surface,
                  const AP::Point_3& x, const Parameters& p, double area)
 {
-  const CGAL::Bbox_3 box = surface.bbox() + x.bbox();
+  const CGAL::Bbox_3 box = surface.bbox() + x.bbox() + AP::Point_3(0, 0, 0).bbox();
   const double extent =
       std::max({box.x_span(), box.y_span(), box.z_span(), p.scale.sigma, p.scale.radius});
   const double rim = 1e-14 * extent;

@@ -8,6 +8,7 @@
 #define MAPT_INPUT_FILE_H
 
 #include <CGAL/Area_projection_transform/Kernel.h>
+#include <CGAL/Area_projection_transform/lengths.h>
 
 #include <cmath>
 #include <cstddef>
@@ -64,8 +65,7 @@ Raw_mesh read_stl(const Input_file& file);
 Raw_mesh read_xyz(const Input_file& file);
 Raw_mesh read_vtp(const Input_file& file);
 
-/// squared areas, the fourth powers of coordinates up to this size, stay finite; and those of one over it normal.
-constexpr double largest_coordinate = 1e75;
+using CGAL::Area_projection::largest_coordinate;
 
 inline bool is_usable(double x, double y, double z)
 {

@@ -110,6 +110,8 @@ TEST(Points, name_the_element_that_is_wrong)
   };
   EXPECT_EQ(of({{{0, 0, 0}, {0, 0, 1}}, {{0, 0, INFINITY}, {0, 0, 1}}}, one),
             "point 1 is not finite");
+  EXPECT_EQ(of({{{0, 0, 0}, {0, 0, 1}}, {{0, 0, 1e76}, {0, 0, 1}}}, one),
+            "point 1 has a coordinate beyond 1e75: rescale the shape");
   EXPECT_EQ(of({{{0, 0, 0}, {0, 0, 0}}}, one),
             "point 0 has no normal: must be a finite vector other than zero");
   EXPECT_EQ(of({{{0, 0, 0}, {0, NAN, 1}}}, one),

@@ -240,6 +240,9 @@ TEST(Surface, names_the_element_that_is_wrong)
             "face_area_map has the value -1.000000 for face 0: must be finite and not negative");
   mesh.point(Mesh::Vertex_index(7)) = CGAL::Simple_cartesian<double>::Point_3(0, NAN, 0);
   EXPECT_EQ(shapes::complaint([&] { AP::surface_from_mesh(mesh); }), "vertex 7 is not finite");
+  mesh.point(Mesh::Vertex_index(7)) = CGAL::Simple_cartesian<double>::Point_3(0, -2e75, 0);
+  EXPECT_EQ(shapes::complaint([&] { AP::surface_from_mesh(mesh); }),
+            "vertex 7 has a coordinate beyond 1e75: rescale the shape");
 
   Mesh squares;
   const auto a = squares.add_vertex({0, 0, 0}), b = squares.add_vertex({1, 0, 0}),

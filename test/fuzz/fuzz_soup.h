@@ -14,7 +14,7 @@
 
 namespace fuzz {
 
-/// how the coordinates of a soup are made: on a lattice (much coincides), in a cube, or of any bits.
+/// how the coordinates of a soup are made: on a lattice (much coincides), in a cube, or of any size.
 enum class Coordinates { LATTICE, CUBE, ANY };
 
 inline double coordinate(Bytes& bytes, Coordinates kind)
@@ -27,7 +27,9 @@ inline double coordinate(Bytes& bytes, Coordinates kind)
   case Coordinates::ANY:
     break;
   }
-  return bytes.any();
+  // Most of what is larger would be refused.
+  const double any = bytes.any();
+  return std::abs(any) > 1e80 ? any * 1e-230 : any;
 }
 
 inline shapes::Point_3 point(Bytes& bytes, Coordinates kind)

@@ -7,7 +7,10 @@
 #ifndef CGAL_AREA_PROJECTION_TRANSFORM_LENGTHS_H
 #define CGAL_AREA_PROJECTION_TRANSFORM_LENGTHS_H
 
+#include <CGAL/Area_projection_transform/Kernel.h>
+
 #include <cmath>
+#include <cstddef>
 #include <stdexcept>
 #include <string>
 
@@ -18,8 +21,24 @@ namespace Area_projection {
 /// the largest radius, `σ` or spacing, in whatever unit: the squares of larger ones are soon no numbers.
 inline constexpr double largest_length = 1e150;
 
+/// \ingroup PkgAreaProjectionTransformGround
+/// the largest coordinate of a surface: squared areas, which are fourth powers, must be numbers.
+inline constexpr double largest_coordinate = 1e75;
+
 /// \cond SKIP_IN_MANUAL
 namespace internal {
+
+/// for the points of surfaces, of which messages name the kind and the position.
+inline void check_coordinates(const Point_3& p, const char* kind, std::size_t index)
+{
+  if(std::abs(p.x()) <= largest_coordinate && std::abs(p.y()) <= largest_coordinate &&
+     std::abs(p.z()) <= largest_coordinate) // NaN fails
+    return;
+  const bool is_finite = std::isfinite(p.x()) && std::isfinite(p.y()) && std::isfinite(p.z());
+  throw std::invalid_argument(
+      std::string(kind) + " " + std::to_string(index) +
+      (is_finite ? " has a coordinate beyond 1e75: rescale the shape" : " is not finite"));
+}
 
 /// for lengths and factors.
 inline void check_positive(double value, const std::string& name)

@@ -8,6 +8,7 @@
 #define CGAL_AREA_PROJECTION_TRANSFORM_SURFELS_FROM_MESH_H
 
 #include <CGAL/Area_projection_transform/Triangle_surface.h>
+#include <CGAL/Area_projection_transform/lengths.h>
 #include <CGAL/Area_projection_transform/parameters.h>
 
 #include <CGAL/boost/graph/helpers.h>
@@ -30,12 +31,6 @@ namespace Area_projection {
 
 /// \cond SKIP_IN_MANUAL
 namespace internal {
-
-inline void check_finite(const Point_3& p, std::size_t index)
-{
-  if(!std::isfinite(p.x()) || !std::isfinite(p.y()) || !std::isfinite(p.z()))
-    throw std::invalid_argument("vertex " + std::to_string(index) + " is not finite");
-}
 
 /// \brief sums the normals of the triangles at each point, weighted by the angle there
 /// (Thürmer and Wüthrich: the result does not depend on how the surface is cut into triangles).
@@ -120,7 +115,7 @@ Triangle_surface::Triangle corners_of_face(
   std::size_t degree = 0;
   for(const auto v : vertices_around_face(halfedge(face, mesh), mesh)) {
     const std::uint32_t index = index_of.at(v);
-    check_finite(points[index], index);
+    check_coordinates(points[index], "vertex", index);
     if(degree < 3)
       triangle[degree] = index;
     ++degree;
@@ -181,7 +176,7 @@ Triangle_surface::Triangle corners_of_face(
 /// \cgalNamedParamsEnd
 ///
 /// \throw std::invalid_argument if a face is not a triangle, a vertex of a face or a given normal is
-/// not finite, or a given area is negative. The message names the first such element by its position in the mesh.
+/// not finite, a vertex has a coordinate beyond `largest_coordinate`, or a given area is negative. The message names the first such element by its position in the mesh.
 ///
 /// Complexity: linear in the number of vertices and faces.
 template <class TriangleMesh, class NamedParameters = CGAL::parameters::Default_named_parameters>
@@ -250,7 +245,7 @@ Triangle_surface surface_from_mesh(const TriangleMesh& mesh,
 /// can be interpolated only between triangles that name the same point.
 ///
 /// \throw std::invalid_argument if a polygon has not three corners, an index is out of range, or a
-/// used point is not finite.
+/// used point is not finite or has a coordinate beyond `largest_coordinate`.
 template <class PointRange, class TriangleRange,
           class NamedParameters = CGAL::parameters::Default_named_parameters>
 Triangle_surface
@@ -277,7 +272,7 @@ surface_from_triangle_soup(const PointRange& points, const TriangleRange& triang
                                     std::to_string(corners[i]) + " of " +
                                     std::to_string(surface.points.size()));
       triangle[i] = std::uint32_t(corners[i]);
-      internal::check_finite(surface.points[triangle[i]], triangle[i]);
+      internal::check_coordinates(surface.points[triangle[i]], "vertex", triangle[i]);
     }
     internal::append_triangle(surface, triangle, source, nullptr, -1);
     ++source;

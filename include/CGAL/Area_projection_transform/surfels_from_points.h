@@ -9,6 +9,7 @@
 
 #include <CGAL/Area_projection_transform/Surfels.h>
 #include <CGAL/Area_projection_transform/areas_from_density.h>
+#include <CGAL/Area_projection_transform/lengths.h>
 #include <CGAL/Area_projection_transform/parameters.h>
 
 #include <CGAL/boost/graph/named_params_helper.h>
@@ -47,9 +48,9 @@ namespace Area_projection {
 ///   \cgalParamNEnd
 /// \cgalNamedParamsEnd
 ///
-/// \throw std::invalid_argument if a position is not finite, a normal is null, an area is negative, or
-/// areas are to be estimated from fewer than two different positions. The message names the first
-/// such point.
+/// \throw std::invalid_argument if a position is not finite or has a coordinate beyond
+/// `largest_coordinate`, a normal is null, an area is negative, or areas are to be estimated from fewer
+/// than two different positions. The message names the first such point.
 ///
 /// Complexity: linear with `area_map`, `O(n log n)` without.
 template <class PointRange, class NamedParameters>
@@ -81,8 +82,7 @@ Surfels surfels_from_points(const PointRange& points, const NamedParameters& np)
     const std::string name = "point " + std::to_string(index);
     if(index == largest)
       throw std::invalid_argument(name + " is one too many: at most 2^31 - 1 are supported");
-    if(!std::isfinite(position.x() + position.y() + position.z()))
-      throw std::invalid_argument(name + " is not finite");
+    internal::check_coordinates(position, "point", index);
     if(!(length > 0) || !std::isfinite(length))
       throw std::invalid_argument(name + " has no normal: must be a finite vector other than zero");
     if(!(area >= 0) || !std::isfinite(area))

@@ -157,10 +157,12 @@ public:
     Intervals intervals;
     int winding = 0;
     for(const auto& [z, sign] : crossings) {
-      if(winding <= 0 && winding + sign > 0)
-        intervals.emplace_back(z, z);
+      const bool was_inside = winding > 0;
       winding += sign;
-      if(winding <= 0 && !intervals.empty() && winding - sign > 0)
+      const bool is_inside = winding > 0;
+      if(is_inside && !was_inside)
+        intervals.emplace_back(z, z);
+      else if(was_inside && !is_inside)
         intervals.back().second = z;
     }
     if(winding != 0)

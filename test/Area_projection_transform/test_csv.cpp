@@ -63,7 +63,10 @@ TEST(Csv, defects_of_queries)
   EXPECT_EQ(queries_complaint(header + "1,2,3,1,-1\n"),
             "points.csv: line 5: sigma is '-1': must be positive");
   EXPECT_EQ(queries_complaint(header + "1,2,3,1e200,1\n"),
-            "points.csv: line 5: radius is '1e200': must be at most 1e+150");
+            "points.csv: line 5: radius is '1e200': must be from 1e-150 to 1e150, for its "
+            "square to be a number");
+  EXPECT_EQ(queries_complaint(header + "1,2,3,1,1,5\n"),
+            "points.csv: line 5: has 6 fields: the first line names 5");
   EXPECT_EQ(queries_complaint(header + "1,2,,1,1\n"), "points.csv: line 5: z is '': not a number");
   EXPECT_EQ(queries_complaint(header + "1,2,3\n"),
             "points.csv: line 5: radius is missing: there are 3 fields");

@@ -76,7 +76,7 @@ class Evaluate(Test):
     def test_bad_tables(self):
         for text, parts in (("", ["empty"]), ("x,y,radius\n1,2,3\n", ["'z'", "missing"]),
                             ("x,y,z,radius\n1,2,3,0\n", ["line 2", "radius", "positive"]),
-                            ("x,y,z,radius\n1,2,3,1e200\n", ["line 2", "radius", "1e+150"]),
+                            ("x,y,z,radius\n1,2,3,1e200\n", ["line 2", "radius", "1e150"]),
                             ("x,y,z,radius\n1,2,nan,1\n", ["line 2", "z", "finite"]),
                             ("x,y,z,radius,sigma\n1,2,3,1,-1\n", ["sigma", "positive"]),
                             ("x,y,z,radius\n1,2,3\n", ["line 2", "radius", "missing"])):

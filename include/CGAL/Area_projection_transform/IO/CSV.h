@@ -213,6 +213,9 @@ public:
   {
     std::vector<Query> queries;
     while(m_reader.read(m_fields)) {
+      if(m_fields.size() > m_number_of_columns) // as with a comma for the decimal point
+        m_reader.fail("has " + std::to_string(m_fields.size()) + " fields: the first line names " +
+                      std::to_string(m_number_of_columns));
       std::array<double, 5> v;
       for(std::size_t c = 0; c < v.size(); ++c)
         v[c] = number(c);
@@ -231,6 +234,7 @@ private:
     m_columns.fill(absent);
     if(!m_reader.read(m_fields))
       m_reader.fail("is empty: the first line must name the columns x, y, z, radius[, sigma]");
+    m_number_of_columns = m_fields.size();
     for(std::size_t c = 0; c < names.size(); ++c) {
       const auto found = std::find(m_fields.begin(), m_fields.end(), names[c]);
       if(found != m_fields.end())
@@ -264,14 +268,15 @@ private:
       fail(text, "must be finite");
     if(c >= RADIUS && !(value > 0))
       fail(text, "must be positive");
-    if(c >= RADIUS && value > largest_length)
-      fail(text, "must be at most " + to_text(largest_length));
+    if(c >= RADIUS && !(value >= 1 / largest_length && value <= largest_length))
+      fail(text, "must be from 1e-150 to 1e150, for its square to be a number");
     return value;
   }
 
   CSV_reader m_reader;
   std::vector<std::string> m_fields;
   std::array<std::size_t, 5> m_columns;
+  std::size_t m_number_of_columns = 0;
 };
 
 } // namespace internal
@@ -284,9 +289,9 @@ private:
 /// in messages.
 /// \param in the text of the table
 /// \param name stands for the input in messages
-/// \throw std::runtime_error if a column is missing, a value is not a finite number, or a radius or
-/// sigma is not positive or more than `largest_length`; its text names the line, the column and the
-/// defect.
+/// \throw std::runtime_error if a column is missing, a value is not a finite number, a radius or sigma is
+/// not from 1e-150 to 1e150, or a line has more fields than the first; its text names the line, the
+/// column and the defect.
 inline std::vector<Query> read_queries(std::istream& in, const std::string& name)
 {
   return internal::Query_table(in, name).read();

@@ -9,8 +9,6 @@
 #include "errors.h"
 #include "text.h"
 
-#include <CGAL/Area_projection_transform/lengths.h>
-
 #include <algorithm>
 #include <cmath>
 #include <iostream>
@@ -23,7 +21,7 @@ namespace {
 
 // Own validators, because CLI11's print bounds of 309 digits.
 template <class Predicate>
-CLI::Validator number_check(const char* requirement, Predicate is_good)
+CLI::Validator number_check(const std::string& requirement, Predicate is_good)
 {
   return CLI::Validator(
       [requirement, is_good](std::string& text) {
@@ -115,9 +113,17 @@ Command_line::Command_line(const std::string& name, const std::string& descripti
 
 CLI::Validator positive_number()
 {
-  return number_check("a positive number up to 1e150", [](double value) {
-    return value > 0 && value <= CGAL::Area_projection::largest_length;
-  });
+  // No shape that can be read asks for others.
+  return number_check("a positive number from 1e-30 to 1e30",
+                      [](double value) { return value >= 1e-30 && value <= 1e30; });
+}
+
+CLI::Validator number_from(double least, double most)
+{
+  std::ostringstream requirement;
+  requirement << "from " << least << " to " << most;
+  return number_check(requirement.str(),
+                      [=](double value) { return value >= least && value <= most; });
 }
 
 CLI::Validator number_between_0_and_1()

@@ -35,6 +35,8 @@ public:
 /// checks of values, for CLI::Option::check().
 CLI::Validator positive_number();
 CLI::Validator number_between_0_and_1();
+/// both included; those of CLI11 let NaN pass.
+CLI::Validator number_from(double least, double most);
 
 /// adds an option for one of some words.
 CLI::Option* add_choice(CLI::App& app, const std::string& name, std::string& word,

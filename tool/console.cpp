@@ -7,6 +7,7 @@
 #include "console.h"
 
 #include "errors.h"
+#include "text.h"
 
 #include <iostream>
 
@@ -35,12 +36,12 @@ void Console::warn(const std::string& text)
 {
   report["warnings"].push_back(text);
   if(!is_quiet)
-    std::cerr << "mapt: warning: " << text << '\n';
+    std::cerr << "mapt: warning: " << printable(text) << '\n';
 }
 
 void Console::complain(const std::string& text) const
 {
-  std::cerr << "mapt: error: " << text << '\n';
+  std::cerr << "mapt: error: " << printable(text) << '\n';
 }
 
 void Console::note(const std::string& text) const

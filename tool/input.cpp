@@ -197,7 +197,7 @@ void check_size(const Input_file& file, const CGAL::Bbox_3& box, const char* ele
   if(extent > 1 / largest_coordinate)
     return;
   std::ostringstream text;
-  text << "all " << elements << " are at (" << box.xmin() << ", " << box.ymin() << ", "
+  text << "all " << elements << " are within 1e-15 of (" << box.xmin() << ", " << box.ymin() << ", "
        << box.zmin() << "): the shape has no size; rescale it, or export it with more digits";
   file.fail(text.str());
 }
@@ -277,7 +277,8 @@ void take_points(const Input_file& file, Raw_mesh&& raw, const Reading_options& 
     };
     if(!is_usable(n.x(), n.y(), n.z()))
       fail(" has a normal that is not finite: correct it, or remove the point");
-    if(!raw.areas.empty() && !(raw.areas[i] >= 0 && raw.areas[i] <= largest_coordinate))
+    if(!raw.areas.empty() &&
+       !(raw.areas[i] >= 0 && raw.areas[i] <= largest_coordinate * largest_coordinate))
       fail(" has the area " + std::to_string(raw.areas[i]) + ": must be finite and not negative");
     const double length = std::sqrt(n.squared_length());
     if(!(length > 0)) {

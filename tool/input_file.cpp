@@ -26,7 +26,7 @@ std::string coordinate_defect(double x, double y, double z)
   std::ostringstream text;
   if(std::isfinite(x) && std::isfinite(y) && std::isfinite(z))
     text << "is too far away (" << x << ", " << y << ", " << z
-         << "): coordinates up to 1e75 can be used; rescale the shape";
+         << "): coordinates up to 1e15 can be used; rescale the shape";
   else
     text << "is not finite (" << x << ", " << y << ", " << z
          << "): give it coordinates, or remove it and its faces";

@@ -8,7 +8,6 @@
 #define MAPT_INPUT_FILE_H
 
 #include <CGAL/Area_projection_transform/Kernel.h>
-#include <CGAL/Area_projection_transform/lengths.h>
 
 #include <cmath>
 #include <cstddef>
@@ -65,7 +64,10 @@ Raw_mesh read_stl(const Input_file& file);
 Raw_mesh read_xyz(const Input_file& file);
 Raw_mesh read_vtp(const Input_file& file);
 
-using CGAL::Area_projection::largest_coordinate;
+/// \brief maps are floats: of shapes up to this size, and of those over one of it, all that is stored is a normal number.
+///
+/// The library takes more, for what is not stored.
+constexpr double largest_coordinate = 1e15;
 
 inline bool is_usable(double x, double y, double z)
 {

@@ -123,7 +123,7 @@ void add_comparison(CLI::App& app, Medial_options& options)
                  "with --compare: the part of the surface that each selection of balls has to "
                  "cover, unless --balls gives their number (default: 0.9)")
       ->type_name("PART")
-      ->check(CLI::Range(0., 1.))
+      ->check(number_from(0, 1))
       ->group("Comparison");
 }
 
@@ -145,7 +145,7 @@ void add_computation(CLI::App& app, Medial_options& options)
                  "samples that a ball sees within less than so many degrees do not stop it: 20 for "
                  "clean meshes, 45 for noisy ones")
       ->type_name("DEGREES")
-      ->check(CLI::Range(1., 170.))
+      ->check(number_from(1, 170))
       ->capture_default_str()
       ->group("Computation");
   app.add_flag_callback(

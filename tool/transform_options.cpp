@@ -96,7 +96,7 @@ void add_computation(CLI::App& app, Transform_options& options)
          "the collecting ball")
       ->type_name("FRACTION")
       ->capture_default_str()
-      ->check(CLI::Range(0.01, 1.))
+      ->check(number_from(0.01, 1))
       ->group("Computation");
   add_bytes_option(app, "--max-memory", options.common.max_memory,
                    "refuse what needs more memory, such as 500M or 2G")

@@ -218,8 +218,8 @@ class Hostile(Limited):
 
     def test_sizes(self):
         points, faces = icosphere(2)
-        for scale, codes in ((1e300, [UNUSABLE_INPUT]), (1e99, [UNUSABLE_INPUT]), (1e74, [DONE]),
-                             (1e-74, [DONE]), (1e-100, [UNUSABLE_INPUT]), (5e-324, [UNUSABLE_INPUT])):
+        for scale, codes in ((1e300, [UNUSABLE_INPUT]), (1e16, [UNUSABLE_INPUT]), (9e14, [DONE]),
+                             (2e-15, [DONE]), (1e-16, [UNUSABLE_INPUT]), (5e-324, [UNUSABLE_INPUT])):
             mesh = self.write("mesh.off", off([tuple(scale * x for x in p) for p in points], faces))
             commands = ("transform", "salient", "lines", "medial", "describe")
             for command in commands if codes == [DONE] else commands[:1]:

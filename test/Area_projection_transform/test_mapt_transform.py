@@ -146,7 +146,7 @@ class Transform(Test):
         self.assertEqual(self.report("transform", plane, "--voxel", 0.1, "-R", 0.2)["maxima"], [])
 
     def test_too_large(self):
-        for options in (["--voxel", 1e-4], ["--voxel", 1e-9], ["--voxel", 1e-300],
+        for options in (["--voxel", 1e-4], ["--voxel", 1e-9], ["--voxel", 1e-30],
                         ["--max-memory", "10k"], ["--voxel", 1e-3, "--region", "all"],
                         ["--voxel", 2e-3, "--side", "outside"],
                         ["--voxel", 1e-3, "--region", "band"]):

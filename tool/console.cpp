@@ -29,7 +29,7 @@ void Console::row(const std::string& name, const std::string& text)
 void Console::line(const std::string& text)
 {
   if(m_table && !is_json && !is_quiet)
-    *m_table << text << '\n';
+    *m_table << printable(text) << '\n';
 }
 
 void Console::warn(const std::string& text)
@@ -47,7 +47,7 @@ void Console::complain(const std::string& text) const
 void Console::note(const std::string& text) const
 {
   if(is_verbose && !is_quiet)
-    std::cerr << "mapt: " << text << '\n';
+    std::cerr << "mapt: " << printable(text) << '\n';
 }
 
 int Console::finish()

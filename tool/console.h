@@ -15,7 +15,7 @@
 namespace mapt {
 
 /// what the user gets to read: a table on stdout, or one JSON object in its place; warnings and
-/// errors on stderr.
+/// errors on stderr. Names may hold control characters: what is no JSON shows '?' for them.
 class Console
 {
 public:

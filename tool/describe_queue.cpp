@@ -64,7 +64,7 @@ void Describe_queue::finish(std::size_t i, Description&& description)
   }
   if(!description.remark.empty() && m_console.is_verbose) {
     m_progress.hide();
-    m_console.note(printable(m_files[i] + ": " + description.remark));
+    m_console.note(m_files[i] + ": " + description.remark);
   }
   m_results[i] = std::move(description);
   show_progress();

@@ -9,7 +9,6 @@
 #include "errors.h"
 #include "input.h"
 #include "map_file.h"
-#include "text.h"
 
 #include <algorithm>
 #include <filesystem>
@@ -85,7 +84,7 @@ void check_names(const std::vector<std::string>& files)
     if(file.empty())
       throw Usage_error("the name of a mesh is empty: leave it out");
     if(!known.insert(file).second)
-      throw Usage_error(printable(file) + ": is listed twice: name it once");
+      throw Usage_error(file + ": is listed twice: name it once");
   }
 }
 

@@ -276,7 +276,7 @@ void take_points(const Input_file& file, Raw_mesh&& raw, const Reading_options& 
       file.fail("point " + std::to_string(i) + what);
     };
     if(!is_usable(n.x(), n.y(), n.z()))
-      fail(" has a normal that is not finite: correct it, or remove the point");
+      fail(" has a normal that is not finite or longer than 1e15: correct it, or remove the point");
     if(!raw.areas.empty() &&
        !(raw.areas[i] >= 0 && raw.areas[i] <= largest_coordinate * largest_coordinate))
       fail(" has the area " + std::to_string(raw.areas[i]) + ": must be finite and not negative");

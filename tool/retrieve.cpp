@@ -107,7 +107,7 @@ AP::Class_labels labels_of(const AP::IO::Named_descriptors& shapes, const Retrie
     unlabelled += labels[i] == AP::Class_labels::none ? 1 : 0;
   if(unlabelled == labels.size())
     throw Input_error(options.labels + ": has none of the shapes of " + options.table +
-                      ", such as " + printable(shapes.names[0]) +
+                      ", such as " + shapes.names[0] +
                       ": shapes must be named as in the table, or without folder and extension");
   if(unlabelled > 0)
     console.warn(options.labels + ": has no class for " +

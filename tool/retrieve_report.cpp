@@ -59,7 +59,7 @@ void report_scores(const AP::Retrieval_evaluation& evaluation, Console& console)
   console.line(filled("", width) + "      NN      FT      ST       E  (most)     DCG  queries");
   const auto line = [&](const std::string& name, const AP::Retrieval_scores& scores,
                         std::size_t queries) {
-    console.line(filled(printable(name), width) + columns(scores) + "  " + std::to_string(queries));
+    console.line(filled(name, width) + columns(scores) + "  " + std::to_string(queries));
   };
   line("mean of queries", evaluation.micro, evaluation.number_of_queries);
   line("mean of classes", evaluation.macro, evaluation.number_of_queries);
@@ -72,14 +72,14 @@ void report_neighbours(const std::string& query, const std::vector<AP::Neighbor>
                        Console& console)
 {
   console.line("");
-  console.line("Nearest to " + printable(query) + ":");
+  console.line("Nearest to " + query + ":");
   Json list = Json::array();
   for(const AP::Neighbor& n : neighbours) {
     Json entry{{"file", names[n.index]}, {"distance", n.distance}};
-    std::string text = filled(to_text(n.distance), 12) + printable(names[n.index]);
+    std::string text = filled(to_text(n.distance), 12) + names[n.index];
     if(labels.size() > 0 && labels[n.index] != AP::Class_labels::none) {
       entry["class"] = labels.name(labels[n.index]);
-      text += "  (" + printable(labels.name(labels[n.index])) + ")";
+      text += "  (" + labels.name(labels[n.index]) + ")";
     }
     console.line(text);
     list.push_back(std::move(entry));

@@ -11,6 +11,7 @@ import json
 import os
 import random
 import resource
+import shutil
 import signal
 import struct
 import subprocess
@@ -233,6 +234,12 @@ class Hostile(Limited):
 
 
 class Names(Limited):
+    def test_messages_and_tables_stay_in_their_lines(self):
+        self.fail_with(UNUSABLE_INPUT, ["no?mesh?.off", "no such file"], "info",
+                       self.path / "no\nmesh\x1b.off")
+        mesh = shutil.copy(self.sphere, self.path / "a\n\x1bmesh.off")
+        self.assertIn("a??mesh.off: ", self.succeed("info", mesh).stdout)
+
     def test_names_in_files_lead_nowhere(self):
         """What a table calls a shape is text, and no place to write to."""
         evil = "../evil"

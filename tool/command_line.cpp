@@ -132,6 +132,12 @@ CLI::Validator number_between_0_and_1()
                       [](double value) { return value > 0 && value < 1; });
 }
 
+CLI::Validator whole_number()
+{
+  return number_check("a whole number from 0 on", // -1 would become the largest one
+                      [](double value) { return value >= 0 && value == std::floor(value); });
+}
+
 CLI::Option* add_choice(CLI::App& app, const std::string& name, std::string& word,
                         const std::vector<std::string>& words, const std::string& description)
 {

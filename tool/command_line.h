@@ -38,6 +38,8 @@ CLI::Validator number_between_0_and_1();
 /// both included; those of CLI11 let NaN pass.
 CLI::Validator number_from(double least, double most);
 
+CLI::Validator whole_number();
+
 /// adds an option for one of some words.
 CLI::Option* add_choice(CLI::App& app, const std::string& name, std::string& word,
                         const std::vector<std::string>& words, const std::string& description);

@@ -70,6 +70,11 @@ int Console::print_report()
   // File names need not be UTF-8; what is not becomes a replacement character.
   if(is_json)
     std::cout << report.dump(2, ' ', false, nlohmann::json::error_handler_t::replace) << '\n';
+  return flush();
+}
+
+int Console::flush() const
+{
   if(std::cout.flush())
     return exit_code;
   std::cerr << "mapt: error: standard output: cannot be written\n";

@@ -47,6 +47,8 @@ public:
 
   /// prints what is left to print, and returns the exit code.
   int finish();
+  /// the exit code, or another one if not all that was printed could be.
+  int flush() const;
   /// says why there is no result, and returns the exit code.
   int fail(int code, const std::string& text);
 

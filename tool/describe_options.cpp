@@ -107,6 +107,12 @@ void choose_normals(Describe_options& options)
 // The library names its own parameters, which are the options by other words.
 void check(const AP::Shape_descriptor_options& descriptor)
 {
+  constexpr double most = 200; // eight million voxels inside, some seconds for each mesh
+  const double voxels = descriptor.scale_divisor / descriptor.voxel_size;
+  if(!(voxels <= most))
+    throw Usage_error("--voxel " + to_text(descriptor.voxel_size) + " with --scale-divisor " +
+                      to_text(descriptor.scale_divisor) + " makes the cube root of the volume " +
+                      to_text(voxels) + " voxels: must be at most " + to_text(most));
   try {
     AP::internal::check(descriptor);
   } catch(const std::invalid_argument& error) {

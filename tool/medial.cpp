@@ -20,6 +20,7 @@
 #include "write_mesh.h"
 #include "progress.h"
 #include "surface.h"
+#include "text.h"
 #include "threads.h"
 
 #include <CGAL/Area_projection_transform/IO/medial_balls_PLY.h>
@@ -133,6 +134,25 @@ void write_files(const Medial_result& result, const Axis_comparison& comparison,
   }
 }
 
+// As measured, with what connects the balls: polar ones are cells of a triangulation, and axes are compared as copies.
+void check_memory(const Input& input, const Surface& surface, const Medial_options& options)
+{
+  const bool is_more = options.method == "polar" || !options.compare.empty();
+  const double bytes_of_ball = is_more ? 2400 : 1300;
+  double balls = double(surface.number_of_elements());
+  if(options.computation.spacing && !input.is_point_set) {
+    constexpr double density = 2.1; // triangles that are halved are smaller than the spacing allows
+    const double spacing = *options.computation.spacing;
+    balls = std::max(balls, density * surface.total_area() / (spacing * spacing));
+  }
+  const double bytes = bytes_of_ball * balls;
+  if(bytes > options.common.max_memory)
+    throw Input_error(options.mesh + ": " + to_text(balls, 3) + " balls need " +
+                      bytes_to_text(bytes) + "; " +
+                      (options.computation.spacing ? "raise --spacing" : "simplify the mesh") +
+                      " or raise --max-memory (" + bytes_to_text(options.common.max_memory) + ")");
+}
+
 void check_outputs(const Medial_options& options)
 {
   for(const auto& [name, file] : {std::pair("--output", options.output),
@@ -159,6 +179,7 @@ bool run_medial(const std::vector<std::string>& arguments, Console& console)
   const double reading = watch.seconds();
 
   const auto surface = make_surface(input, Surface_options(), 1);
+  check_memory(input, *surface, options);
   const Signal_watch signals;
   Stopwatch of_balls;
   Medial_result result;
@@ -173,7 +194,7 @@ bool run_medial(const std::vector<std::string>& arguments, Console& console)
   Signal_watch::check();
   Axis_comparison comparison;
   if(!options.compare.empty())
-    comparison = compare_axes(*surface, result, options);
+    comparison = compare_axes(*surface, result, options, console);
   Signal_watch::check();
   const double computing = watch.seconds();
 

@@ -8,6 +8,7 @@
 
 #include "medial_reconstruction.h"
 #include "text.h"
+#include "with_progress.h"
 
 #include <CGAL/Area_projection_transform/internal/atomic_file.h>
 #include <CGAL/Area_projection_transform/medial_axis_comparison.h>
@@ -60,7 +61,8 @@ std::vector<std::optional<double>> thickness_of(const AP::Medial_axes& axes, con
 }
 
 template <class Source>
-Comparison compare(const Source& source, const Medial_result& found, const Medial_options& options)
+Comparison compare(const Source& source, const Medial_result& found, const Medial_options& options,
+                   const Console& console)
 {
   AP::Medial_axes_options choices;
   choices.balls = options.computation;
@@ -70,15 +72,20 @@ Comparison compare(const Source& source, const Medial_result& found, const Media
   choices.tolerance = options.tolerance;
   choices.seed = options.seed;
   Comparison result;
-  result.axes = AP::medial_axes<Tag>(source, found.balls, found.seconds, choices);
+  result.axes = with_progress("medial axes", console, [&](const auto& np) {
+    return AP::medial_axes<Tag>(source, found.balls, found.seconds, choices, np);
+  });
   result.shape = AP::shape_topology(source);
   result.diagonal = AP::internal::diagonal_of(source.bbox());
   if(result.axes.axes.empty())
     return result;
   const AP::Medial_judge<Source> judge(source, result.axes.axes.front(), result.axes.tolerance,
                                        options.seed);
-  for(const AP::Medial_representation& axis : result.axes.axes)
+  for(const AP::Medial_representation& axis : result.axes.axes) {
+    Signal_watch::check();
     result.measures.push_back(judge.template measure<Tag>(axis));
+  }
+  Signal_watch::check();
   result.thickness = thickness_of(result.axes, source, options);
   result.distances = AP::axis_distance_matrix<Tag>(result.axes.axes, result.axes.tolerance);
   return result;
@@ -215,10 +222,11 @@ std::vector<std::string> table_of(const Comparison& comparison)
 } // namespace
 
 Axis_comparison compare_axes(const Surface& surface, const Medial_result& found,
-                             const Medial_options& options)
+                             const Medial_options& options, const Console& console)
 {
-  const Comparison comparison = std::visit(
-      [&](const auto* source) { return compare(*source, found, options); }, surface.source());
+  const Comparison comparison =
+      std::visit([&](const auto* source) { return compare(*source, found, options, console); },
+                 surface.source());
   Axis_comparison result{to_json(comparison, options), table_of(comparison), {}};
   for(const auto& [name, reason] : comparison.axes.left_out)
     result.left_out.push_back(name + " is left out of the comparison: " + reason);

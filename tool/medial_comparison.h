@@ -29,7 +29,7 @@ struct Axis_comparison
 
 // \param found the balls of the surface, of which the axes are made
 Axis_comparison compare_axes(const Surface& surface, const Medial_result& found,
-                             const Medial_options& options);
+                             const Medial_options& options, const Console& console);
 
 // Writes the measures.
 // \throw Output_error if the file cannot be written.

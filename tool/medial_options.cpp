@@ -107,6 +107,7 @@ void add_selection(CLI::App& app, Medial_options& options)
       ->group("Selection");
   app.add_option("--seed", options.seed, "of what is selected by chance")
       ->type_name("NUMBER")
+      ->check(whole_number())
       ->capture_default_str()
       ->group("Selection");
   app.add_option("--tolerance", options.tolerance,
@@ -157,6 +158,9 @@ void add_computation(CLI::App& app, Medial_options& options)
       ->capture_default_str()
       ->group("Mesh");
   add_reading_options(app, options.common);
+  add_bytes_option(app, "--max-memory", options.common.max_memory,
+                   "refuse so many balls that they need more memory, such as 500M or 2G")
+      ->group("Computation");
   add_thread_option(app, options.common);
 }
 

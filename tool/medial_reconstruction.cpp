@@ -7,12 +7,14 @@
 #include "medial_reconstruction.h"
 
 #include "errors.h"
+#include "progress.h"
 #include "text.h"
 
 #include <CGAL/Area_projection_transform/internal/diagonal_of.h>
 #include <CGAL/Area_projection_transform/medial_axis_comparison/axis_distances.h>
 #include <CGAL/Area_projection_transform/medial_axis_comparison/union_of_balls_mesh.h>
 
+#include <algorithm>
 #include <stdexcept>
 #include <utility>
 
@@ -33,12 +35,16 @@ Reconstruction reconstruct(const Medial_result& result, const Source& source,
   reconstruction.diagonal = AP::internal::diagonal_of(source.bbox());
   if(result.kept.empty())
     return reconstruction;
-  const double cell = options.cell.value_or(0.005 * reconstruction.diagonal);
   AP::Medial_representation axis =
       AP::medial_representation("kept", result.balls, result.kept, result.growth);
+  const double extent = AP::internal::Ball_lattice::extent(axis); // of what is kept
+  const double cell =
+      options.cell.value_or(std::min(0.005 * reconstruction.diagonal, 0.1 * extent));
   if(options.is_interpolated)
     axis = AP::interpolated_balls(axis, cell);
+  Signal_watch::check();
   reconstruction.mesh = AP::union_of_balls_mesh<Tag>(axis, cell);
+  Signal_watch::check();
   reconstruction.error = AP::reconstruction_error<Tag>(axis, source, cell);
   reconstruction.cell = cell;
   return reconstruction;

@@ -237,6 +237,7 @@ class Defects(Corpus):
                 (UNUSABLE_INPUT, ["nowhere.txt"], ["--list", self.path / "nowhere.txt"]),
                 (UNUSABLE_INPUT, ["empty list"], ["--list", os.devnull]),
                 (WRONG_USAGE, ["--bins", "1"], [self.sphere, "--bins", 1]),
+                (WRONG_USAGE, ["--voxel 0.1", "300 voxels"], [self.sphere, "--voxel", 0.1]),
                 (WRONG_USAGE, ["--kind", "hapt"], [self.sphere, "--kind", "hapt"]),
                 (WRONG_USAGE, ["replace"], ["--list", self.sphere, "-o", self.sphere]),
                 (OUTPUT_NOT_WRITTEN, ["nowhere/hapt.csv"],

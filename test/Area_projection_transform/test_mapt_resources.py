@@ -104,6 +104,15 @@ class Disk(Limited):
                 self.assert_one_line(result.stderr, name, "cannot be written")
                 self.assertEqual(self.files(), sorted(before))
 
+    def test_terminal_that_is_full(self):
+        for arguments in (["--help"], ["--version"], ["transform", "--help"], ["medial", "--version"],
+                          ["info", self.sphere]):
+            with self.subTest(arguments=arguments), open("/dev/full", "w", encoding="utf-8") as full:
+                result = subprocess.run([MAPT, *arguments], stdout=full, stderr=subprocess.PIPE, text=True,
+                                        timeout=60, check=False)
+                self.assertEqual(result.returncode, OUTPUT_NOT_WRITTEN)
+                self.assert_one_line(result.stderr, "standard output", "cannot be written")
+
     def test_reader_that_leaves(self):
         at = self.queries(20000)
         before = self.files()

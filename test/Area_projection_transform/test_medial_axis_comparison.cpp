@@ -288,6 +288,24 @@ TEST(Medial_axes, of_balls_that_there_are_are_the_same)
   }
 }
 
+TEST(Medial_axes, are_made_until_the_callback_answers_no)
+{
+  const AP::Triangle_surface surface = surface_of(torus(1, 0.3, 40, 16));
+  Medial_axes_options options;
+  options.do_skeleton = false;
+  const std::vector<AP::Medial_ball> balls = AP::medial_balls(surface, options.balls);
+  // There are seven selections of balls; the eighth question comes while centrelines are looked for, which are left out.
+  for(const std::size_t most : {1u, 2u, 7u, 8u}) {
+    std::size_t calls = 0;
+    const std::function<bool(double)> callback = [&](double) { return ++calls < most; };
+    const Medial_axes axes =
+        AP::medial_axes(surface, balls, 0, options, CGAL::parameters::callback(callback));
+    EXPECT_EQ(axes.axes.size(), std::min<std::size_t>(most, 7));
+    EXPECT_TRUE(axes.left_out.empty());
+    EXPECT_EQ(calls, most);
+  }
+}
+
 TEST(Medial_axes, leave_out_what_cannot_be_made)
 {
   const Medial_axes open = AP::medial_axes(surface_of(cylinder(16, 1, 6, false, 20)));

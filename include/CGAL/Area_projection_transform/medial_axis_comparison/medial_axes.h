@@ -8,7 +8,9 @@
 #define CGAL_AREA_PROJECTION_TRANSFORM_MEDIAL_AXIS_COMPARISON_MEDIAL_AXES_H
 
 #include <CGAL/Area_projection_transform/centerlines.h>
+#include <CGAL/Area_projection_transform/internal/Progress_report.h>
 #include <CGAL/Area_projection_transform/internal/diagonal_of.h>
+#include <CGAL/Area_projection_transform/internal/to_text.h>
 #include <CGAL/Area_projection_transform/medial_axis_comparison/Medial_representation.h>
 #include <CGAL/Area_projection_transform/medial_axis_comparison/mean_curvature_skeleton.h>
 #include <CGAL/Area_projection_transform/medial_balls.h>
@@ -21,6 +23,7 @@
 #include <cstddef>
 #include <cstdint>
 #include <exception>
+#include <functional>
 #include <numeric>
 #include <optional>
 #include <stdexcept>
@@ -69,8 +72,12 @@ class Axes_maker
 {
 public:
   Axes_maker(const Source& surface, const std::vector<Medial_ball>& balls, double seconds_of_balls,
-             const Medial_axes_options& options)
-      : m_surface(surface), m_options(options), m_balls(balls), m_seconds_of_balls(seconds_of_balls)
+             const Medial_axes_options& options, const std::function<bool(double)>& callback)
+      : m_surface(surface)
+      , m_options(options)
+      , m_balls(balls)
+      , m_seconds_of_balls(seconds_of_balls)
+      , m_progress(callback)
   {
     m_result.tolerance = options.tolerance.value_or(0.005 * diagonal_of(surface.bbox()));
   }
@@ -80,18 +87,27 @@ public:
     m_growth = crack_width(m_surface.total_area(), m_balls.size());
     std::vector<std::size_t> all(m_balls.size());
     std::iota(all.begin(), all.end(), std::size_t(0));
-    add("unpruned", all);
-    const std::vector<std::size_t> weighted =
-        selected(m_options.number ? Medial_weight::RADIAL_MAPT : Medial_weight::IMPORTANCE);
-    add("mapt", weighted);
-    add("mapt_refitted", weighted, true);
-    add("lambda", selected(Medial_weight::LAMBDA));
-    add("scale_axis", selected(Medial_weight::SCALE_AXIS));
-    add("random", first_of(select_random(m_balls, m_balls.size(), m_options.seed)));
-    add("covering", first_of(select_covering(m_balls, m_surface, m_result.tolerance)));
-    add_centerlines();
-    if(m_options.do_skeleton)
-      add_skeleton();
+    std::vector<std::size_t> weighted;
+    const std::vector<std::function<void()>> steps{
+        [&] { add("unpruned", all); },
+        [&] {
+          weighted =
+              selected(m_options.number ? Medial_weight::RADIAL_MAPT : Medial_weight::IMPORTANCE);
+          add("mapt", weighted);
+        },
+        [&] { add("mapt_refitted", weighted, true); },
+        [&] { add("lambda", selected(Medial_weight::LAMBDA)); },
+        [&] { add("scale_axis", selected(Medial_weight::SCALE_AXIS)); },
+        [&] { add("random", first_of(select_random(m_balls, m_balls.size(), m_options.seed))); },
+        [&] { add("covering", first_of(select_covering(m_balls, m_surface, m_result.tolerance))); },
+        [&] { add_centerlines(); },
+        [&] { add_skeleton(); }};
+    for(const auto& step : steps) {
+      if(m_progress.is_cancelled())
+        break;
+      step();
+      m_progress.advance(1. / double(steps.size()));
+    }
     return std::move(m_result);
   }
 
@@ -142,9 +158,16 @@ private:
 
   void add_centerlines()
   {
+    const std::function<bool(double)> go_on = [&](double) {
+      m_progress.advance(0); // asks whether to stop
+      return !m_progress.is_cancelled();
+    };
     Medial_representation axis = medial_representation(
-        "centerlines", centerlines<ConcurrencyTag>(m_surface, m_options.lines));
+        "centerlines",
+        centerlines<ConcurrencyTag>(m_surface, m_options.lines, CGAL::parameters::callback(go_on)));
     axis.seconds = seconds();
+    if(m_progress.is_cancelled())
+      return;
     if(axis.centers.empty())
       m_result.left_out.emplace_back("centerlines", "no tube was found");
     else
@@ -153,6 +176,8 @@ private:
 
   void add_skeleton()
   {
+    if(!m_options.do_skeleton)
+      return;
     std::string obstacle = skeleton_obstacle(m_surface);
     try {
       if(obstacle.empty())
@@ -168,6 +193,7 @@ private:
   const Medial_axes_options& m_options;
   const std::vector<Medial_ball>& m_balls;
   double m_seconds_of_balls, m_growth = 0;
+  Progress_report m_progress;
   std::chrono::steady_clock::time_point m_start = std::chrono::steady_clock::now();
   Medial_axes m_result;
 };
@@ -177,7 +203,7 @@ inline void check(const Medial_axes_options& options)
   check(options.balls);
   check(options.lines);
   if(!(options.coverage >= 0 && options.coverage <= 1))
-    throw std::invalid_argument("coverage is " + std::to_string(options.coverage) +
+    throw std::invalid_argument("coverage is " + internal::to_text(options.coverage) +
                                 ": must be from 0 to 1");
   if(options.tolerance)
     check_positive(*options.tolerance, "tolerance");
@@ -195,15 +221,29 @@ inline void check(const Medial_axes_options& options)
 /// \param balls all of them, as `medial_balls()` finds them with `options.balls`
 /// \param seconds what it took to find them, which the times of the axes include
 /// \param options the choices
+/// \param np an optional named parameter:
+/// \cgalNamedParamsBegin
+///   \cgalParamNBegin{callback}
+///     \cgalParamDescription{is told the progress, in [0, 1], and answers whether to go on; is called by any of the
+///                           threads, but never twice at a time. If it answers `false`, the axes made by then are
+///                           returned. While \cgal makes its skeleton it is not asked.}
+///     \cgalParamType{an instance of `std::function<bool(double)>`}
+///     \cgalParamDefault{none}
+///   \cgalParamNEnd
+/// \cgalNamedParamsEnd
 /// \throw std::invalid_argument if an option is out of its range
-template <class ConcurrencyTag = CGAL::Sequential_tag, class Source>
+template <class ConcurrencyTag = CGAL::Sequential_tag, class Source,
+          class NamedParameters = CGAL::parameters::Default_named_parameters>
 Medial_axes medial_axes(const Source& surface, const std::vector<Medial_ball>& balls,
-                        double seconds, const Medial_axes_options& options = {})
+                        double seconds, const Medial_axes_options& options = {},
+                        const NamedParameters& np = CGAL::parameters::default_values())
 {
   internal::check(options);
   if(surface.empty() || !(internal::diagonal_of(surface.bbox()) > 0))
     return {};
-  return internal::Axes_maker<ConcurrencyTag, Source>(surface, balls, seconds, options).make();
+  return internal::Axes_maker<ConcurrencyTag, Source>(surface, balls, seconds, options,
+                                                      internal::callback_of(np))
+      .make();
 }
 
 /// \ingroup PkgAreaProjectionTransformMedialComparison

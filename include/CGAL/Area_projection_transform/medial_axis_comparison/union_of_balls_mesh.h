@@ -9,6 +9,7 @@
 
 #include <CGAL/Area_projection_transform/Triangle_surface.h>
 #include <CGAL/Area_projection_transform/internal/parallel_workers.h>
+#include <CGAL/Area_projection_transform/internal/to_text.h>
 #include <CGAL/Area_projection_transform/medial_axis_comparison/Medial_representation.h>
 #include <CGAL/Area_projection_transform/scales.h>
 #include <CGAL/Area_projection_transform/surfels_from_mesh.h>
@@ -64,21 +65,30 @@ public:
     if(m_whole.balls.empty())
       return;
     const Bbox_3 box = bbox(balls);
-    if(!(cell >= least_cell(balls)))
-      throw std::invalid_argument("cell is " + std::to_string(cell) + ": must be at least " +
-                                  std::to_string(least_cell(balls)) + ", 1/" +
-                                  std::to_string(most_cells - 2) + " of the extent of the balls");
-    while(m_whole.size < longest_side(box) / cell + 2) // nodes on the border are outside
+    const double whole = extent(balls);
+    if(!(cell >= least_cell(balls) && cell <= whole))
+      throw std::invalid_argument("cell is " + internal::to_text(cell) + ": must be from " +
+                                  internal::to_text(least_cell(balls)) + ", 1/" +
+                                  std::to_string(most_cells - 2) +
+                                  " of the extent of the balls, to " + internal::to_text(whole));
+    while(m_whole.size < whole / cell + 2) // nodes on the border are outside
       m_whole.size *= 2;
     const double half = 0.5 * m_whole.size * cell;
     m_origin = {0.5 * (box.xmin() + box.xmax()) - half, 0.5 * (box.ymin() + box.ymax()) - half,
                 0.5 * (box.zmin() + box.zmax()) - half};
   }
 
+  /// the longest side of the box around the balls; 0 if there are none.
+  static double extent(const Medial_representation& balls)
+  {
+    const Bbox_3 box = bbox(balls);
+    return std::max({box.x_span(), box.y_span(), box.z_span(), 0.});
+  }
+
   /// the least width of cells that there may be.
   static double least_cell(const Medial_representation& balls)
   {
-    return std::max(longest_side(bbox(balls)), 0.) / (most_cells - 2);
+    return extent(balls) / (most_cells - 2);
   }
 
   const Cube& whole() const { return m_whole; }
@@ -133,11 +143,6 @@ private:
       if(balls.radii[i] > 0)
         box += Kernel::Sphere_3(balls.centers[i], balls.radii[i] * balls.radii[i]).bbox();
     return box;
-  }
-
-  static double longest_side(const Bbox_3& box)
-  {
-    return std::max({box.xmax() - box.xmin(), box.ymax() - box.ymin(), box.zmax() - box.zmin()});
   }
 
   double coordinate(std::size_t axis, std::int32_t place) const
@@ -349,7 +354,8 @@ inline Triangle_surface joined(const std::vector<Ball_lattice::Triangles>& parts
 /// result does not depend on it, to the last bit
 /// \param axis the balls; those without a positive radius have no part in it
 /// \param cell the width of the cells of the lattice, in the units of the balls
-/// \throw std::invalid_argument if `cell` is not positive and finite, or less than 1/1022 of the longest side of the bounding box
+/// \throw std::invalid_argument if `cell` is not from 1/1022 of the longest side of the bounding box of the balls to all of
+/// it
 ///
 /// Complexity: of the area of the boundary over `cell²`, and of the balls that meet a cell. The hand in 200 balls at a two
 /// hundredth of its diagonal takes 0.1 s.

@@ -254,7 +254,7 @@ TEST(Paper_grid_projector, refuses_balls_that_no_memory_holds)
       shapes::complaint([&] {
         AP::Paper_grid_projector(region).project(surface, {1, 200}, Side::INSIDE, shapes::Never());
       }),
-      "sigma is 2000.000000 voxels: must be at most 1000");
+      "sigma is 2000 voxels: must be at most 1000");
 }
 
 } // namespace

@@ -307,11 +307,11 @@ TEST(Ball_sums, name_what_is_out_of_range)
 {
   const auto surface = shapes::scale_space_of(shapes::icosphere(0));
   EXPECT_EQ(shapes::complaint([&] { AP::Sampled_evaluator(surface, -1, Side::INSIDE, 0.1); }),
-            "radius is -1.000000: must be positive and finite");
+            "radius is -1: must be positive and finite");
   EXPECT_EQ(shapes::complaint([&] { AP::Sampled_evaluator(surface, 1, Side::INSIDE, NAN); }),
             "spacing is nan: must be positive and finite");
   EXPECT_EQ(shapes::complaint([] { AP::Sampled_evaluator evaluator(two_points(1, -1)); }),
-            "areas[1] is -1.000000: must be finite and not negative");
+            "areas[1] is -1: must be finite and not negative");
   AP::Projected_surfels points;
   points.push_back(Point_3(0, INFINITY, 0), 1);
   EXPECT_EQ(shapes::complaint([&] { AP::Sampled_evaluator evaluator(points); }),

@@ -76,8 +76,7 @@ TEST(Csv, defects_of_queries)
             "z, radius[, sigma]");
   EXPECT_EQ(queries_complaint("x,y,z,radius,y\n"), "points.csv: line 1: column 'y' is there twice");
   EXPECT_EQ(queries_complaint("# nothing\n"),
-            "points.csv: line 1: is empty: the first line must name the columns x, y, z, radius[, "
-            "sigma]");
+            "points.csv: is empty: the first line must name the columns x, y, z, radius[, sigma]");
 }
 
 TEST(Csv, round_trip)

@@ -479,13 +479,13 @@ TEST(Evaluators, name_the_argument_that_is_out_of_range)
 {
   const auto surface = shapes::scale_space_of(shapes::icosphere(0));
   EXPECT_EQ(shapes::complaint([&] { AP::Exact_evaluator(surface, 0, Side::INSIDE); }),
-            "radius is 0.000000: must be positive and finite");
+            "radius is 0: must be positive and finite");
   EXPECT_EQ(shapes::complaint([&] { AP::Exact_evaluator(surface, NAN, Side::INSIDE); }),
             "radius is nan: must be positive and finite");
   EXPECT_EQ(shapes::complaint([&] { AP::Kd_tree_evaluator(surface, -1, Side::INSIDE, 0.1); }),
-            "radius is -1.000000: must be positive and finite");
+            "radius is -1: must be positive and finite");
   EXPECT_EQ(shapes::complaint([&] { AP::Kd_tree_evaluator(surface, 1, Side::INSIDE, 0); }),
-            "spacing is 0.000000: must be positive and finite");
+            "spacing is 0: must be positive and finite");
 
   const auto exact = [&](const AP::Scale& scale) {
     return AP::Exact_evaluator(surface, scale.radius, Side::INSIDE);
@@ -494,7 +494,7 @@ TEST(Evaluators, name_the_argument_that_is_out_of_range)
   EXPECT_EQ(shapes::complaint([&] {
               AP::evaluate_at_points({{x, {1, 1}}, {x, {-2, 1}}}, exact);
             }),
-            "radius of query 1 is -2.000000: must be positive and finite");
+            "radius of query 1 is -2: must be positive and finite");
   EXPECT_EQ(shapes::complaint([&] {
               AP::evaluate_at_points({{x, {1, INFINITY}}}, exact);
             }),
@@ -520,7 +520,7 @@ TEST(Kernels, refuse_to_be_made_of_nothing)
             }),
             "number_of_balls is 0: must be at least 1");
   EXPECT_EQ(shapes::complaint([] { AP::Gaussian_kernel_3{-1.}.nested_balls(); }),
-            "cutoff is -1.000000: must be positive");
+            "cutoff is -1: must be positive");
 }
 
 TEST(Evaluators, find_nothing_where_there_is_no_surface)

@@ -379,10 +379,10 @@ TEST(Grid_projectors, refuse_what_they_cannot_do)
   const AP::Row_spans region(AP::Grid_3(Point_3(0, 0, 0), 0.1, {4, 4, 4}));
   EXPECT_EQ(shapes::complaint(
                 [&] { AP::Grid_projector(region, AP::Ball_kernel_3().nested_balls(), 0.); }),
-            "sampling_ratio is 0.000000: must be positive and finite");
+            "sampling_ratio is 0: must be positive and finite");
   EXPECT_EQ(shapes::complaint(
                 [&] { AP::Grid_projector(region, AP::Ball_kernel_3().nested_balls(), 1.5); }),
-            "sampling_ratio is 1.500000: must be at most 1");
+            "sampling_ratio is 1.5: must be at most 1");
   const Soup sphere = shapes::icosphere(1);
   const AP::Constant_scale_space surface(AP::surface_from_triangle_soup(
       sphere.points, sphere.triangles, AP::parameters::use_interpolated_normals(true)));

@@ -364,22 +364,22 @@ TEST(Scales, name_the_argument_that_is_out_of_range)
   EXPECT_EQ(shapes::complaint([] {
               AP::proportional_scales({1, 2, -0.1});
             }),
-            "radii[2] is -0.100000: must be positive and finite");
+            "radii[2] is -0.1: must be positive and finite");
   for(const double ratio : {0., 1., -1., double(NAN)})
     EXPECT_NE(shapes::complaint([=] {
                 AP::proportional_scales({1}, ratio);
               }).find("must be greater than 0 and less than 1"),
               std::string::npos);
   EXPECT_EQ(shapes::complaint([] { AP::proportional_scales({1}, 1.5); }),
-            "sigma_ratio is 1.500000: must be greater than 0 and less than 1");
+            "sigma_ratio is 1.5: must be greater than 0 and less than 1");
   EXPECT_EQ(shapes::complaint([] { AP::fixed_sigma_scales({1}, 0); }),
-            "sigma is 0.000000: must be positive and finite");
+            "sigma is 0: must be positive and finite");
   EXPECT_EQ(shapes::complaint([] { AP::fixed_sigma_scales({0}, 1); }),
-            "radii[0] is 0.000000: must be positive and finite");
+            "radii[0] is 0: must be positive and finite");
   EXPECT_EQ(shapes::complaint([] { AP::uniform_radii(0, 1, 3); }),
-            "first is 0.000000: must be positive and finite");
+            "first is 0: must be positive and finite");
   EXPECT_EQ(shapes::complaint([] { AP::uniform_radii(1, -1, 3); }),
-            "step is -1.000000: must be positive and finite");
+            "step is -1: must be positive and finite");
   EXPECT_EQ(shapes::complaint([] { AP::geometric_radii(1, INFINITY, 3); }),
             "last is inf: must be positive and finite");
 }
@@ -397,9 +397,9 @@ TEST(Default_scales, cover_what_fits_into_the_box)
   }
   EXPECT_EQ(AP::default_radii(CGAL::Bbox_3(0, 0, 0, 1, 1, 0), 1. / 128).size(), 1u); // flat
   EXPECT_EQ(shapes::complaint([&] { AP::default_radii(box, 0); }),
-            "voxel_size is 0.000000: must be positive and finite");
+            "voxel_size is 0: must be positive and finite");
   EXPECT_EQ(shapes::complaint([&] { AP::default_radii(box, 1, 1); }),
-            "sigma_ratio is 1.000000: must be greater than 0 and less than 1");
+            "sigma_ratio is 1: must be greater than 0 and less than 1");
 }
 
 // Twice the area and twice the faces are twice the work, on any grid.
@@ -493,19 +493,18 @@ TEST(Facade, names_the_argument_that_is_out_of_range)
   const auto joint = [&](const auto& np) {
     return shapes::complaint([&] { AP::joint_area_projection_transform(mesh, np); });
   };
-  EXPECT_EQ(joint(P::voxel_size(-1)), "voxel_size is -1.000000: must be positive and finite");
+  EXPECT_EQ(joint(P::voxel_size(-1)), "voxel_size is -1: must be positive and finite");
   EXPECT_EQ(joint(P::radii({1, 0.5})), "scales[1] has not a larger radius than the one before");
-  EXPECT_EQ(joint(P::radii({0})), "radii[0] is 0.000000: must be positive and finite");
-  EXPECT_EQ(joint(P::sigma_ratio(1)),
-            "sigma_ratio is 1.000000: must be greater than 0 and less than 1");
+  EXPECT_EQ(joint(P::radii({0})), "radii[0] is 0: must be positive and finite");
+  EXPECT_EQ(joint(P::sigma_ratio(1)), "sigma_ratio is 1: must be greater than 0 and less than 1");
   EXPECT_EQ(shapes::complaint([] { AP::joint_area_projection_transform(Mesh()); }),
             "mesh has no face with an area");
   const auto at = [&](double radius, double sigma) {
     return shapes::complaint(
         [&] { AP::area_projection_transform(mesh, Point_3(0, 0, 0), radius, sigma); });
   };
-  EXPECT_EQ(at(0, 1), "radius is 0.000000: must be positive and finite");
-  EXPECT_EQ(at(1, -2), "sigma is -2.000000: must be positive and finite");
+  EXPECT_EQ(at(0, 1), "radius is 0: must be positive and finite");
+  EXPECT_EQ(at(1, -2), "sigma is -2: must be positive and finite");
 }
 
 // Where the shape is smaller than places are rounded to, it is within the ball or not, but no more than all of it.

@@ -117,7 +117,7 @@ TEST(Points, name_the_element_that_is_wrong)
   EXPECT_EQ(of({{{0, 0, 0}, {0, NAN, 1}}}, one),
             "point 0 has no normal: must be a finite vector other than zero");
   EXPECT_EQ(of({{{0, 0, 0}, {0, 0, 1}}}, negative),
-            "point 0 has the area -2.000000: must be finite and not negative");
+            "point 0 has the area -2: must be finite and not negative");
 }
 
 } // namespace

@@ -402,11 +402,11 @@ TEST(Smoothing_scale_space, rejects_what_is_out_of_range)
 {
   const Triangle_surface sphere = surface_of(shapes::icosphere(1));
   EXPECT_EQ(shapes::complaint([&] { Averaged_normals(sphere, 0); }),
-            "averaging_ratio is 0.000000: must be positive and finite");
+            "averaging_ratio is 0: must be positive and finite");
   EXPECT_EQ(shapes::complaint([&] { Mean_curvature_flow(sphere, -1); }),
-            "smoothing_ratio is -1.000000: must be positive and finite");
+            "smoothing_ratio is -1: must be positive and finite");
   EXPECT_EQ(shapes::complaint([&] { Smoothing_scale_space(Averaged_normals(sphere)).area(0); }),
-            "radius is 0.000000: must be positive and finite");
+            "radius is 0: must be positive and finite");
   EXPECT_EQ(Smoothing_scale_space(Averaged_normals(Triangle_surface())).area(1), 0);
   const Soup needle{{{0, 0, 0}, {1, 1, 1}, {2, 2, 2}}, {{0, 1, 2}}}; // no face of it is left
   EXPECT_EQ(Smoothing_scale_space(Averaged_normals(surface_of(needle))).area(1), 0);

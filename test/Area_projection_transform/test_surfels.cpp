@@ -237,7 +237,7 @@ TEST(Surface, names_the_element_that_is_wrong)
   Mesh mesh = shapes::mesh_of<Mesh>(shapes::icosphere(1));
   const boost::static_property_map<double> negative(-1.);
   EXPECT_EQ(shapes::complaint([&] { AP::surface_from_mesh(mesh, P::face_area_map(negative)); }),
-            "face_area_map has the value -1.000000 for face 0: must be finite and not negative");
+            "face_area_map has the value -1 for face 0: must be finite and not negative");
   mesh.point(Mesh::Vertex_index(7)) = CGAL::Simple_cartesian<double>::Point_3(0, NAN, 0);
   EXPECT_EQ(shapes::complaint([&] { AP::surface_from_mesh(mesh); }), "vertex 7 is not finite");
   mesh.point(Mesh::Vertex_index(7)) = CGAL::Simple_cartesian<double>::Point_3(0, -2e75, 0);

@@ -8,6 +8,7 @@
 #define CGAL_AREA_PROJECTION_TRANSFORM_GRID_3_H
 
 #include <CGAL/Area_projection_transform/Kernel.h>
+#include <CGAL/Area_projection_transform/internal/to_text.h>
 #include <CGAL/Area_projection_transform/lengths.h>
 
 #include <CGAL/Bbox_3.h>
@@ -34,7 +35,7 @@ public:
   /// \param origin the centre of the first voxel
   /// \param spacing the distance of neighbours, in the unit of the points
   /// \param size the numbers of lattice points along the axes
-  /// \throw std::invalid_argument if `spacing` is not positive or more than `largest_length`, a
+  /// \throw std::invalid_argument if `spacing` is not from `smallest_length` to `largest_length`, a
   /// coordinate of `origin` is not finite, or a size is not positive.
   Grid_3(const Point_3& origin, double spacing, const std::array<int, 3>& size)
       : m_origin(origin), m_spacing(spacing), m_size(size)
@@ -96,13 +97,14 @@ private:
 /// \param box the box, in any unit of length
 /// \param spacing the distance of neighbours, in the same unit, positive
 /// \param margin how far the lattice reaches beyond the box at least, in the same unit, not negative
-/// \throw std::invalid_argument if `spacing` is not positive or more than `largest_length`, `margin` is
+/// \throw std::invalid_argument if `spacing` is not from `smallest_length` to `largest_length`, `margin` is
 /// negative, `box` is empty, or a side would have more than 2^24 lattice points.
 inline Grid_3 grid_around(const Bbox_3& box, double spacing, double margin = 0)
 {
   internal::check_positive(spacing, "spacing");
   if(!(margin >= 0))
-    throw std::invalid_argument("margin is " + std::to_string(margin) + ": must not be negative");
+    throw std::invalid_argument("margin is " + internal::to_text(margin) +
+                                ": must not be negative");
   std::array<double, 3> first;
   std::array<int, 3> size;
   for(int axis = 0; axis < 3; ++axis) {
@@ -111,8 +113,8 @@ inline Grid_3 grid_around(const Bbox_3& box, double spacing, double margin = 0)
       throw std::invalid_argument("box is empty or not finite");
     const double intervals = std::ceil(extent / spacing);
     if(!(intervals < double(1 << 24)))
-      throw std::invalid_argument("spacing is " + std::to_string(spacing) +
-                                  ": too small for a box " + std::to_string(extent) + " wide");
+      throw std::invalid_argument("spacing is " + internal::to_text(spacing) +
+                                  ": too small for a box " + internal::to_text(extent) + " wide");
     size[axis] = int(intervals) + 1;
     first[axis] = 0.5 * (box.min(axis) + box.max(axis)) - 0.5 * spacing * intervals;
   }

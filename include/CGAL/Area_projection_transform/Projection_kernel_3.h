@@ -7,6 +7,8 @@
 #ifndef CGAL_AREA_PROJECTION_TRANSFORM_PROJECTION_KERNEL_3_H
 #define CGAL_AREA_PROJECTION_TRANSFORM_PROJECTION_KERNEL_3_H
 
+#include <CGAL/Area_projection_transform/internal/to_text.h>
+
 #include <cmath>
 #include <stdexcept>
 #include <string>
@@ -41,14 +43,14 @@ inline void check_kernel(const std::vector<Nested_ball>& kernel)
   for(const Nested_ball& ball : kernel) {
     if(!(ball.relative_radius > 0 && ball.relative_radius <= 1))
       throw std::invalid_argument("kernel has a ball of relative radius " +
-                                  std::to_string(ball.relative_radius) + ": must be in (0, 1]");
+                                  internal::to_text(ball.relative_radius) + ": must be in (0, 1]");
     if(!(ball.weight > 0))
-      throw std::invalid_argument("kernel has a ball of weight " + std::to_string(ball.weight) +
+      throw std::invalid_argument("kernel has a ball of weight " + internal::to_text(ball.weight) +
                                   ": must be positive");
     sum += ball.weight;
   }
   if(!(sum <= 1 + 1e-9))
-    throw std::invalid_argument("kernel has weights that sum to " + std::to_string(sum) +
+    throw std::invalid_argument("kernel has weights that sum to " + internal::to_text(sum) +
                                 ": must be at most 1");
 }
 
@@ -107,7 +109,7 @@ struct Gaussian_kernel_3
   std::vector<Nested_ball> nested_balls() const
   {
     if(!(cutoff > 0))
-      throw std::invalid_argument("cutoff is " + std::to_string(cutoff) + ": must be positive");
+      throw std::invalid_argument("cutoff is " + internal::to_text(cutoff) + ": must be positive");
     const double floor = std::exp(-0.5 * cutoff * cutoff);
     return internal::nested_balls_of_profile(number_of_balls, [&](double value) {
       return std::sqrt(-2 * std::log(floor + value * (1 - floor))) / cutoff;

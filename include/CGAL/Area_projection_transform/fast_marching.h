@@ -10,6 +10,7 @@
 #include <CGAL/Area_projection_transform/Row_spans.h>
 #include <CGAL/Area_projection_transform/internal/Marching_front.h>
 #include <CGAL/Area_projection_transform/internal/descend.h>
+#include <CGAL/Area_projection_transform/internal/to_text.h>
 
 #include <algorithm>
 #include <array>
@@ -140,7 +141,7 @@ inline void check_speeds(const Row_spans& region, const std::vector<float>& spee
         const std::size_t place = hull.offset + std::size_t(i - hull.first);
         if(!(speeds[place] >= 0 && std::isfinite(speeds[place])))
           throw std::invalid_argument("speeds[" + std::to_string(place) + "] is " +
-                                      std::to_string(speeds[place]) +
+                                      internal::to_text(speeds[place]) +
                                       ": must be finite and not negative");
       }
   }

@@ -8,6 +8,7 @@
 #define CGAL_AREA_PROJECTION_TRANSFORM_LENGTHS_H
 
 #include <CGAL/Area_projection_transform/Kernel.h>
+#include <CGAL/Area_projection_transform/internal/to_text.h>
 
 #include <cmath>
 #include <cstddef>
@@ -20,6 +21,10 @@ namespace Area_projection {
 /// \ingroup PkgAreaProjectionTransformGround
 /// the largest radius, `σ` or spacing, in whatever unit: the squares of larger ones are soon no numbers.
 inline constexpr double largest_length = 1e150;
+
+/// \ingroup PkgAreaProjectionTransformGround
+/// the smallest radius, `σ` or spacing: the squares of smaller ones are soon 0.
+inline constexpr double smallest_length = 1e-150;
 
 /// \ingroup PkgAreaProjectionTransformGround
 /// the largest coordinate of a surface: squared areas, which are fourth powers, must be numbers.
@@ -44,10 +49,10 @@ inline void check_coordinates(const Point_3& p, const char* kind, std::size_t in
 inline void check_positive(double value, const std::string& name)
 {
   if(!(value > 0) || !std::isfinite(value))
-    throw std::invalid_argument(name + " is " + std::to_string(value) +
-                                ": must be positive and finite");
-  if(value > largest_length)
-    throw std::invalid_argument(name + " is more than 1e150: its square must be a number");
+    throw std::invalid_argument(name + " is " + to_text(value) + ": must be positive and finite");
+  if(!(value >= smallest_length && value <= largest_length))
+    throw std::invalid_argument(name + " is " + to_text(value) +
+                                ": must be from 1e-150 to 1e150, for its square to be a number");
 }
 
 } // namespace internal

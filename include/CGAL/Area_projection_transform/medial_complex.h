@@ -8,6 +8,7 @@
 #define CGAL_AREA_PROJECTION_TRANSFORM_MEDIAL_COMPLEX_H
 
 #include <CGAL/Area_projection_transform/Kernel.h>
+#include <CGAL/Area_projection_transform/internal/to_text.h>
 #include <CGAL/Area_projection_transform/medial_balls/Medial_ball.h>
 #include <CGAL/Area_projection_transform/medial_complex/Betti_numbers.h>
 #include <CGAL/Area_projection_transform/medial_complex/Dual_complex.h>
@@ -82,7 +83,7 @@ inline Medial_complex medial_complex(const std::vector<Point_3>& centers,
                                      const std::vector<double>& radii, double growth = 0)
 {
   if(!(growth >= 0) || !std::isfinite(growth))
-    throw std::invalid_argument("growth is " + std::to_string(growth) +
+    throw std::invalid_argument("growth is " + internal::to_text(growth) +
                                 ": must be finite and not negative");
   if(centers.size() != radii.size())
     throw std::invalid_argument("radii has " + std::to_string(radii.size()) + " numbers for " +

@@ -10,6 +10,7 @@
 #include <CGAL/Area_projection_transform/Side.h>
 #include <CGAL/Area_projection_transform/Surfels.h>
 #include <CGAL/Area_projection_transform/Triangle_surface.h>
+#include <CGAL/Area_projection_transform/internal/to_text.h>
 #include <CGAL/Area_projection_transform/salient_points/Salient_point.h>
 #include <CGAL/Area_projection_transform/salient_points/Shape_detector.h>
 #include <CGAL/Area_projection_transform/salient_points/assign_voters.h>
@@ -77,13 +78,13 @@ inline void check(const Salient_point_options& options)
     check_positive(*options.largest_radius, "largest_radius");
   if(options.smallest_radius && options.largest_radius &&
      *options.smallest_radius > *options.largest_radius)
-    throw std::invalid_argument("smallest_radius is " + std::to_string(*options.smallest_radius) +
-                                ": larger than largest_radius, " +
-                                std::to_string(*options.largest_radius));
+    throw std::invalid_argument(
+        "smallest_radius is " + internal::to_text(*options.smallest_radius) +
+        ": larger than largest_radius, " + internal::to_text(*options.largest_radius));
   if(options.tube_spacing)
     check_positive(*options.tube_spacing, "tube_spacing");
   if(!(options.threshold >= 0))
-    throw std::invalid_argument("threshold is " + std::to_string(options.threshold) +
+    throw std::invalid_argument("threshold is " + internal::to_text(options.threshold) +
                                 ": must not be negative");
 }
 
@@ -113,10 +114,11 @@ inline double smallest_salient_radius(const Feature_surface& surface,
   constexpr double most_patches = 4e6;
   const double least = least_radius(surface, std::max(most_patches, 2 * number));
   if(*options.smallest_radius < least)
-    throw std::invalid_argument("smallest_radius is " + std::to_string(*options.smallest_radius) +
+    throw std::invalid_argument("smallest_radius is " +
+                                internal::to_text(*options.smallest_radius) +
                                 ": the surface would be cut into too many pieces; must be at "
                                 "least " +
-                                std::to_string(least));
+                                internal::to_text(least));
   return *options.smallest_radius;
 }
 

@@ -7,6 +7,7 @@
 #ifndef CGAL_AREA_PROJECTION_TRANSFORM_SCALES_H
 #define CGAL_AREA_PROJECTION_TRANSFORM_SCALES_H
 
+#include <CGAL/Area_projection_transform/internal/to_text.h>
 #include <CGAL/Area_projection_transform/lengths.h>
 
 #include <cmath>
@@ -45,7 +46,7 @@ namespace internal {
 inline void check_sigma_ratio(double ratio)
 {
   if(!(ratio > 0) || !(ratio < 1))
-    throw std::invalid_argument("sigma_ratio is " + std::to_string(ratio) +
+    throw std::invalid_argument("sigma_ratio is " + internal::to_text(ratio) +
                                 ": must be greater than 0 and less than 1");
 }
 

@@ -8,6 +8,7 @@
 #define CGAL_AREA_PROJECTION_TRANSFORM_SURFELS_FROM_MESH_H
 
 #include <CGAL/Area_projection_transform/Triangle_surface.h>
+#include <CGAL/Area_projection_transform/internal/to_text.h>
 #include <CGAL/Area_projection_transform/lengths.h>
 #include <CGAL/Area_projection_transform/parameters.h>
 
@@ -98,7 +99,7 @@ double given_area(const FaceAreaMap& map, const Face& face, std::size_t index)
   else {
     const double area = CGAL::to_double(get(map, face));
     if(!(area >= 0) || !std::isfinite(area))
-      throw std::invalid_argument("face_area_map has the value " + std::to_string(area) +
+      throw std::invalid_argument("face_area_map has the value " + internal::to_text(area) +
                                   " for face " + std::to_string(index) +
                                   ": must be finite and not negative");
     return area;

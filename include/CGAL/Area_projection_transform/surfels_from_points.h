@@ -9,6 +9,7 @@
 
 #include <CGAL/Area_projection_transform/Surfels.h>
 #include <CGAL/Area_projection_transform/areas_from_density.h>
+#include <CGAL/Area_projection_transform/internal/to_text.h>
 #include <CGAL/Area_projection_transform/lengths.h>
 #include <CGAL/Area_projection_transform/parameters.h>
 
@@ -86,7 +87,7 @@ Surfels surfels_from_points(const PointRange& points, const NamedParameters& np)
     if(!(length > 0) || !std::isfinite(length))
       throw std::invalid_argument(name + " has no normal: must be a finite vector other than zero");
     if(!(area >= 0) || !std::isfinite(area))
-      throw std::invalid_argument(name + " has the area " + std::to_string(area) +
+      throw std::invalid_argument(name + " has the area " + internal::to_text(area) +
                                   ": must be finite and not negative");
     surfels.push_back(position, normal / length, area, std::uint32_t(index));
     ++index;

@@ -13,6 +13,7 @@
 #include <CGAL/Area_projection_transform/Row_spans.h>
 #include <CGAL/Area_projection_transform/internal/hessians.h>
 #include <CGAL/Area_projection_transform/internal/symmetric_eigen.h>
+#include <CGAL/Area_projection_transform/internal/to_text.h>
 #include <CGAL/Area_projection_transform/scales.h>
 
 #include <algorithm>
@@ -115,12 +116,12 @@ inline void check(const Vesselness_options& options, double voxel_size)
   check_positive(options.structure, "structure");
   check_positive(options.scale_ratio, "scale_ratio");
   if(!(options.coverage > 0 && options.coverage <= 1))
-    throw std::invalid_argument("coverage is " + std::to_string(options.coverage) +
+    throw std::invalid_argument("coverage is " + internal::to_text(options.coverage) +
                                 ": must be greater than 0 and at most 1");
   for(std::size_t k = 0; k < options.scales.size(); ++k) {
     const double s = options.scales[k] / voxel_size;
     if(!(s >= smallest_vesselness_scale * (1 - 1e-9) && s <= largest_vesselness_scale))
-      throw std::invalid_argument("scales[" + std::to_string(k) + "] is " + std::to_string(s) +
+      throw std::invalid_argument("scales[" + std::to_string(k) + "] is " + internal::to_text(s) +
                                   " voxels: must be at least 0.5 and at most 100");
   }
 }

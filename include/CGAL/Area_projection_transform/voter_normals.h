@@ -13,6 +13,7 @@
 #include <CGAL/Area_projection_transform/Surfels.h>
 #include <CGAL/Area_projection_transform/at_points.h>
 #include <CGAL/Area_projection_transform/internal/symmetric_eigen.h>
+#include <CGAL/Area_projection_transform/internal/to_text.h>
 #include <CGAL/Area_projection_transform/projection/Sampled_evaluator.h>
 #include <CGAL/Area_projection_transform/scales.h>
 
@@ -141,7 +142,7 @@ std::vector<Voter_normals> voter_normals(const Source& surface, const std::vecto
 {
   internal::check_positive(sampling_ratio, "sampling_ratio");
   if(sampling_ratio > 1)
-    throw std::invalid_argument("sampling_ratio is " + std::to_string(sampling_ratio) +
+    throw std::invalid_argument("sampling_ratio is " + internal::to_text(sampling_ratio) +
                                 ": must be at most 1");
   std::vector<Voter_normals> result(queries.size());
   internal::evaluate_by_radius<ConcurrencyTag>(

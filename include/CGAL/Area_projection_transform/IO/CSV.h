@@ -134,13 +134,15 @@ public:
       split(text, fields);
       return true;
     }
+    m_row_line = 0;
     return false;
   }
 
-  /// throws a `std::runtime_error` about the row that was read last.
+  /// throws a `std::runtime_error` about the row that was read last, or about all of the table if there was none.
   [[noreturn]] void fail(const std::string& cause) const
   {
-    throw std::runtime_error(m_name + ": line " + std::to_string(m_row_line) + ": " + cause);
+    const std::string line = "line " + std::to_string(m_row_line) + ": ";
+    throw std::runtime_error(m_name + ": " + (m_row_line > 0 ? line : "") + cause);
   }
 
 private:
@@ -268,7 +270,7 @@ private:
       fail(text, "must be finite");
     if(c >= RADIUS && !(value > 0))
       fail(text, "must be positive");
-    if(c >= RADIUS && !(value >= 1 / largest_length && value <= largest_length))
+    if(c >= RADIUS && !(value >= smallest_length && value <= largest_length))
       fail(text, "must be from 1e-150 to 1e150, for its square to be a number");
     return value;
   }

@@ -7,6 +7,8 @@
 #ifndef CGAL_AREA_PROJECTION_TRANSFORM_IO_NUMBER_TEXT_H
 #define CGAL_AREA_PROJECTION_TRANSFORM_IO_NUMBER_TEXT_H
 
+#include <CGAL/Area_projection_transform/internal/to_text.h>
+
 #include <charconv>
 #include <cstddef>
 #include <string>
@@ -25,10 +27,7 @@ namespace IO {
 template <class Number>
 std::string to_text(Number value)
 {
-  static_assert(std::is_arithmetic_v<Number> && !std::is_same_v<Number, bool>);
-  char text[64];
-  const auto end = std::to_chars(text, text + sizeof(text), value).ptr;
-  return std::string(text, end);
+  return Area_projection::internal::to_text(value);
 }
 
 /// \ingroup PkgAreaProjectionTransformIO

@@ -8,6 +8,7 @@
 #define CGAL_AREA_PROJECTION_TRANSFORM_CENTERLINES_CENTERLINE_OPTIONS_H
 
 #include <CGAL/Area_projection_transform/Side.h>
+#include <CGAL/Area_projection_transform/internal/to_text.h>
 #include <CGAL/Area_projection_transform/scales.h>
 
 #include <cmath>
@@ -50,9 +51,9 @@ inline void check(const Centerline_options& options)
     check_positive(*options.largest_radius, "largest_radius");
   if(options.smallest_radius && options.largest_radius &&
      *options.smallest_radius > *options.largest_radius)
-    throw std::invalid_argument("smallest_radius is " + std::to_string(*options.smallest_radius) +
-                                ": larger than largest_radius, " +
-                                std::to_string(*options.largest_radius));
+    throw std::invalid_argument(
+        "smallest_radius is " + internal::to_text(*options.smallest_radius) +
+        ": larger than largest_radius, " + internal::to_text(*options.largest_radius));
   check_positive(options.least_length, "least_length");
   check_positive(options.vertex_spacing, "vertex_spacing");
 }

@@ -11,6 +11,7 @@
 #include <CGAL/Area_projection_transform/Kernel.h>
 #include <CGAL/Area_projection_transform/Row_spans.h>
 #include <CGAL/Area_projection_transform/fast_marching.h>
+#include <CGAL/Area_projection_transform/internal/to_text.h>
 #include <CGAL/Area_projection_transform/scales.h>
 #include <CGAL/Area_projection_transform/vesselness.h>
 
@@ -66,13 +67,13 @@ namespace internal {
 inline void check(const Paper_tracing_options& options)
 {
   if(!(options.threshold > 0 && options.threshold <= 1))
-    throw std::invalid_argument("threshold is " + std::to_string(options.threshold) +
+    throw std::invalid_argument("threshold is " + internal::to_text(options.threshold) +
                                 ": must be greater than 0 and at most 1");
   if(!(options.continuity >= 0 && options.continuity <= 1))
-    throw std::invalid_argument("continuity is " + std::to_string(options.continuity) +
+    throw std::invalid_argument("continuity is " + internal::to_text(options.continuity) +
                                 ": must be at least 0 and at most 1");
   if(!(options.least_length >= 0))
-    throw std::invalid_argument("least_length is " + std::to_string(options.least_length) +
+    throw std::invalid_argument("least_length is " + internal::to_text(options.least_length) +
                                 ": must not be negative");
 }
 

@@ -9,6 +9,7 @@
 
 #include <CGAL/Area_projection_transform/Kernel.h>
 #include <CGAL/Area_projection_transform/Side.h>
+#include <CGAL/Area_projection_transform/internal/to_text.h>
 #include <CGAL/Area_projection_transform/scales.h>
 
 #include <cstdint>
@@ -148,8 +149,9 @@ namespace internal {
 inline void check_angle(double angle, double low, double high, const std::string& name)
 {
   if(!(angle >= low) || !(angle <= high))
-    throw std::invalid_argument(name + " is " + std::to_string(angle) + ": must be from " +
-                                std::to_string(low) + " to " + std::to_string(high) + " degrees");
+    throw std::invalid_argument(name + " is " + internal::to_text(angle) + ": must be from " +
+                                internal::to_text(low) + " to " + internal::to_text(high) +
+                                " degrees");
 }
 
 inline void check(const Medial_ball_options& options)

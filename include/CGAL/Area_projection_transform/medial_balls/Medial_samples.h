@@ -10,6 +10,7 @@
 #include <CGAL/Area_projection_transform/Surfels.h>
 #include <CGAL/Area_projection_transform/Triangle_surface.h>
 #include <CGAL/Area_projection_transform/internal/eigen_vectors.h>
+#include <CGAL/Area_projection_transform/internal/to_text.h>
 #include <CGAL/Area_projection_transform/medial_balls/Medial_ball.h>
 #include <CGAL/Area_projection_transform/medial_balls/bounded_spacing.h>
 #include <CGAL/Area_projection_transform/medial_balls/crease_normals.h>
@@ -118,7 +119,7 @@ inline Medial_samples::Medial_samples(const Surfels& surfels, const Medial_ball_
       throw std::invalid_argument("positions[" + std::to_string(i) + "] is not finite");
     if(!(std::abs(length - 1) < 1e-3))
       throw std::invalid_argument("normals[" + std::to_string(i) + "] has the length " +
-                                  std::to_string(length) + ": must be 1");
+                                  internal::to_text(length) + ": must be 1");
     if(!(area >= 0) || !std::isfinite(area))
       throw std::invalid_argument("areas[" + std::to_string(i) + "] is " + std::to_string(area) +
                                   ": must be finite and not negative");

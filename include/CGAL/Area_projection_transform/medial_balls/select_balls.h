@@ -11,6 +11,7 @@
 #include <CGAL/Area_projection_transform/Triangle_surface.h>
 #include <CGAL/Area_projection_transform/internal/Cell_list.h>
 #include <CGAL/Area_projection_transform/internal/eigen_vectors.h>
+#include <CGAL/Area_projection_transform/internal/to_text.h>
 #include <CGAL/Area_projection_transform/medial_balls/Medial_ball.h>
 #include <CGAL/Area_projection_transform/medial_balls/bounded_spacing.h>
 #include <CGAL/Area_projection_transform/scales.h>
@@ -58,7 +59,7 @@ namespace internal {
 inline void check_suppression(double suppression)
 {
   if(!(suppression >= 0) || !std::isfinite(suppression))
-    throw std::invalid_argument("suppression is " + std::to_string(suppression) +
+    throw std::invalid_argument("suppression is " + internal::to_text(suppression) +
                                 ": must be finite and not negative");
 }
 
@@ -257,7 +258,7 @@ std::vector<std::size_t> select_until_covered(const std::vector<Medial_ball>& ba
 {
   internal::check_positive(tolerance, "tolerance");
   if(!(part >= 0 && part <= 1))
-    throw std::invalid_argument("part is " + std::to_string(part) + ": must be from 0 to 1");
+    throw std::invalid_argument("part is " + internal::to_text(part) + ": must be from 0 to 1");
   const internal::Covered_surface places(surface, 20000, tolerance);
   const double enough = part * places.total_area();
   std::vector<bool> is_covered(places.size(), false);

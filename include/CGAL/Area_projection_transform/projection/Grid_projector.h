@@ -12,6 +12,7 @@
 #include <CGAL/Area_projection_transform/Projected_surfels.h>
 #include <CGAL/Area_projection_transform/internal/Fixed_point.h>
 #include <CGAL/Area_projection_transform/internal/add_patches.h>
+#include <CGAL/Area_projection_transform/internal/to_text.h>
 #include <CGAL/Area_projection_transform/scales.h>
 
 #include <cstddef>
@@ -59,7 +60,7 @@ public:
     internal::check_kernel(m_kernel);
     internal::check_positive(sampling_ratio, "sampling_ratio");
     if(sampling_ratio > 1)
-      throw std::invalid_argument("sampling_ratio is " + std::to_string(sampling_ratio) +
+      throw std::invalid_argument("sampling_ratio is " + internal::to_text(sampling_ratio) +
                                   ": must be at most 1");
   }
 
@@ -99,7 +100,7 @@ double Grid_projector::project(const ScaleSpace& surface, const Scale& scale, Si
 {
   const double voxels = scale.sigma / m_region.grid().spacing();
   if(!(voxels >= 0.01 && voxels <= 1000))
-    throw std::invalid_argument("sigma is " + std::to_string(voxels) +
+    throw std::invalid_argument("sigma is " + internal::to_text(voxels) +
                                 " voxels: must be at least 0.01 and at most 1000");
   const internal::Fixed_point fixed(surface.area(scale.radius));
   m_quantum = fixed.quantum();

@@ -14,6 +14,7 @@
 #include <CGAL/Area_projection_transform/internal/Ball_convolution.h>
 #include <CGAL/Area_projection_transform/internal/Fixed_point.h>
 #include <CGAL/Area_projection_transform/internal/Voxel_votes.h>
+#include <CGAL/Area_projection_transform/internal/to_text.h>
 #include <CGAL/Area_projection_transform/scales.h>
 
 #include <algorithm>
@@ -115,7 +116,7 @@ public:
   {
     const double sigma = scale.sigma / m_region.grid().spacing();
     if(!(sigma <= 1000))
-      throw std::invalid_argument("sigma is " + std::to_string(sigma) +
+      throw std::invalid_argument("sigma is " + internal::to_text(sigma) +
                                   " voxels: must be at most 1000");
     const internal::Fixed_point fixed(surface.area(scale.radius));
     m_quantum = fixed.quantum();

@@ -11,6 +11,7 @@
 #include <CGAL/Area_projection_transform/Projection_kernel_3.h>
 #include <CGAL/Area_projection_transform/Side.h>
 #include <CGAL/Area_projection_transform/internal/Weighted_point_tree.h>
+#include <CGAL/Area_projection_transform/internal/to_text.h>
 #include <CGAL/Area_projection_transform/scales.h>
 
 #include <CGAL/assertions.h>
@@ -114,7 +115,7 @@ private:
         throw std::invalid_argument("positions[" + std::to_string(i) + "] is not finite");
       if(!(std::isfinite(points.areas[i]) && points.areas[i] >= 0))
         throw std::invalid_argument("areas[" + std::to_string(i) + "] is " +
-                                    std::to_string(points.areas[i]) +
+                                    internal::to_text(points.areas[i]) +
                                     ": must be finite and not negative");
     }
     return points.size();

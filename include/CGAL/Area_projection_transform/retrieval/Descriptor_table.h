@@ -7,6 +7,8 @@
 #ifndef CGAL_AREA_PROJECTION_TRANSFORM_RETRIEVAL_DESCRIPTOR_TABLE_H
 #define CGAL_AREA_PROJECTION_TRANSFORM_RETRIEVAL_DESCRIPTOR_TABLE_H
 
+#include <CGAL/Area_projection_transform/internal/to_text.h>
+
 #include <cmath>
 #include <cstddef>
 #include <stdexcept>
@@ -64,7 +66,7 @@ public:
     for(const auto value : descriptor) {
       if(!(value >= 0) || !std::isfinite(value))
         throw std::invalid_argument("descriptor[" + std::to_string(place) + "] is " +
-                                    std::to_string(value) + ": must be finite and not negative");
+                                    internal::to_text(value) + ": must be finite and not negative");
       ++place;
     }
     m_values.insert(m_values.end(), std::begin(descriptor), std::end(descriptor));

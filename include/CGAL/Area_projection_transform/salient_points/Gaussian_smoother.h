@@ -10,6 +10,7 @@
 #include <CGAL/Area_projection_transform/Row_spans.h>
 #include <CGAL/Area_projection_transform/internal/Layer_ring.h>
 #include <CGAL/Area_projection_transform/internal/parallel_workers.h>
+#include <CGAL/Area_projection_transform/internal/to_text.h>
 
 #include <algorithm>
 #include <cmath>
@@ -173,7 +174,7 @@ public:
   explicit Gaussian_smoother(double sigma = 1)
   {
     if(!(sigma >= 0 && sigma <= 100))
-      throw std::invalid_argument("smoothing is " + std::to_string(sigma) +
+      throw std::invalid_argument("smoothing is " + internal::to_text(sigma) +
                                   " voxels: must be at least 0 and at most 100");
     double sum = -1;
     std::vector<double> weights;

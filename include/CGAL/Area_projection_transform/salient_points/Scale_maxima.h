@@ -9,6 +9,7 @@
 
 #include <CGAL/Area_projection_transform/Row_spans.h>
 #include <CGAL/Area_projection_transform/internal/parallel_workers.h>
+#include <CGAL/Area_projection_transform/internal/to_text.h>
 #include <CGAL/Area_projection_transform/salient_points/Gaussian_smoother.h>
 
 #include <algorithm>
@@ -129,7 +130,7 @@ public:
       : m_region(std::move(region)), m_smoother(smoothing), m_threshold(threshold)
   {
     if(!(threshold >= 0))
-      throw std::invalid_argument("threshold is " + std::to_string(threshold) +
+      throw std::invalid_argument("threshold is " + internal::to_text(threshold) +
                                   ": must not be negative");
   }
 

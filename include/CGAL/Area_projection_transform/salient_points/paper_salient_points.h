@@ -11,6 +11,7 @@
 #include <CGAL/Area_projection_transform/Side.h>
 #include <CGAL/Area_projection_transform/Surfels.h>
 #include <CGAL/Area_projection_transform/Triangle_surface.h>
+#include <CGAL/Area_projection_transform/internal/to_text.h>
 #include <CGAL/Area_projection_transform/salient_points/Salient_point.h>
 #include <CGAL/Area_projection_transform/salient_points/Scale_maxima.h>
 #include <CGAL/Area_projection_transform/salient_points/inertia.h>
@@ -83,12 +84,12 @@ inline std::vector<Scale> paper_scales(double s, double largest_radius, double s
   constexpr double most = 255; // as many as a joint map holds
   const double number = std::floor(largest_radius / s * (1 + 1e-12));
   if(number < 1)
-    throw std::invalid_argument("largest_radius is " + std::to_string(largest_radius) +
-                                ": less than the reference length, " + std::to_string(s));
+    throw std::invalid_argument("largest_radius is " + internal::to_text(largest_radius) +
+                                ": less than the reference length, " + internal::to_text(s));
   if(number > most)
     throw std::invalid_argument(
-        "reference_length is " + std::to_string(s) + ": makes more than 255 radii up to " +
-        std::to_string(largest_radius) + ": must be larger, or largest_radius smaller");
+        "reference_length is " + internal::to_text(s) + ": makes more than 255 radii up to " +
+        internal::to_text(largest_radius) + ": must be larger, or largest_radius smaller");
   return proportional_scales(uniform_radii(s, s, std::size_t(number)), sigma_ratio);
 }
 
@@ -100,7 +101,7 @@ inline void check_paper_grid(const Bbox_3& box, double s, double margin)
                         ((box.y_span() + 2 * margin) / s + 1) *
                         ((box.z_span() + 2 * margin) / s + 1);
   if(!(voxels < most))
-    throw std::invalid_argument("reference_length is " + std::to_string(s) +
+    throw std::invalid_argument("reference_length is " + internal::to_text(s) +
                                 ": cuts the box of the surface into more than 2^31 voxels: must be "
                                 "larger");
 }

@@ -7,6 +7,7 @@
 #ifndef CGAL_AREA_PROJECTION_TRANSFORM_SHAPE_DESCRIPTOR_SHAPE_DESCRIPTOR_OPTIONS_H
 #define CGAL_AREA_PROJECTION_TRANSFORM_SHAPE_DESCRIPTOR_SHAPE_DESCRIPTOR_OPTIONS_H
 
+#include <CGAL/Area_projection_transform/internal/to_text.h>
 #include <CGAL/Area_projection_transform/scales.h>
 
 #include <cmath>
@@ -99,10 +100,11 @@ inline std::vector<double> relative_radii(const Shape_descriptor_options& option
       std::floor((options.largest_radius - options.smallest_radius) / options.radius_step + 1e-9);
   constexpr double most = 1024;
   if(!(steps >= 0 && steps < most))
-    throw std::invalid_argument("largest_radius is " + std::to_string(options.largest_radius) +
+    throw std::invalid_argument("largest_radius is " + internal::to_text(options.largest_radius) +
                                 ": makes " + (steps < 0 ? "no radius" : "more than 1024 radii") +
-                                " from smallest_radius " + std::to_string(options.smallest_radius) +
-                                " in steps of " + std::to_string(options.radius_step));
+                                " from smallest_radius " +
+                                internal::to_text(options.smallest_radius) + " in steps of " +
+                                internal::to_text(options.radius_step));
   return uniform_radii(options.smallest_radius, options.radius_step, std::size_t(steps) + 1);
 }
 

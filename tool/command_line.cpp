@@ -10,10 +10,13 @@
 #include "text.h"
 
 #include <algorithm>
+#include <charconv>
 #include <cmath>
+#include <cstdint>
 #include <iostream>
 #include <memory>
 #include <sstream>
+#include <system_error>
 
 namespace mapt {
 
@@ -134,8 +137,14 @@ CLI::Validator number_between_0_and_1()
 
 CLI::Validator whole_number()
 {
-  return number_check("a whole number from 0 on", // -1 would become the largest one
-                      [](double value) { return value >= 0 && value == std::floor(value); });
+  return CLI::Validator( // CLI11 takes -1 for the largest one
+      [](std::string& text) {
+        std::uint64_t value = 0;
+        const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), value);
+        const bool is_good = error == std::errc() && end == text.data() + text.size();
+        return is_good ? std::string() : text + " is not a whole number from 0 to 2^64 - 1";
+      },
+      std::string());
 }
 
 CLI::Option* add_choice(CLI::App& app, const std::string& name, std::string& word,

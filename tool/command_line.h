@@ -38,6 +38,7 @@ CLI::Validator number_between_0_and_1();
 /// both included; those of CLI11 let NaN pass.
 CLI::Validator number_from(double least, double most);
 
+/// of 64 bits, without a sign.
 CLI::Validator whole_number();
 
 /// adds an option for one of some words.

@@ -47,7 +47,7 @@ public:
 
   /// prints what is left to print, and returns the exit code.
   int finish();
-  /// the exit code, or another one if not all that was printed could be.
+  /// the exit code, or OUTPUT_NOT_WRITTEN if something could not be printed.
   int flush() const;
   /// says why there is no result, and returns the exit code.
   int fail(int code, const std::string& text);

@@ -77,7 +77,8 @@ void add_histograms(CLI::App& app, Describe_options& options)
   add_number(app, "--radius-min", d.smallest_radius, "UNITS", "the smallest radius");
   add_number(app, "--radius-max", d.largest_radius, "UNITS", "the largest radius");
   add_number(app, "--radius-step", d.radius_step, "UNITS", "the step between radii");
-  add_number(app, "--voxel", d.voxel_size, "UNITS", "the spacing of the grid");
+  add_number(app, "--voxel", d.voxel_size, "UNITS",
+             "the spacing of the grid; at least a 200th of --scale-divisor");
   app.add_option("-c,--sigma-ratio", d.sigma_ratio,
                  "the radius of the collecting ball, as a fraction of the radius")
       ->type_name("FRACTION")
@@ -104,15 +105,21 @@ void choose_normals(Describe_options& options)
   options.descriptor.smoothing_ratio = options.surface.used_smoothing_ratio();
 }
 
-// The library names its own parameters, which are the options by other words.
-void check(const AP::Shape_descriptor_options& descriptor)
+// Eight million voxels inside take some seconds for each mesh.
+void check_voxels(const AP::Shape_descriptor_options& descriptor)
 {
-  constexpr double most = 200; // eight million voxels inside, some seconds for each mesh
+  constexpr double most = 200;
   const double voxels = descriptor.scale_divisor / descriptor.voxel_size;
   if(!(voxels <= most))
     throw Usage_error("--voxel " + to_text(descriptor.voxel_size) + " with --scale-divisor " +
                       to_text(descriptor.scale_divisor) + " makes the cube root of the volume " +
-                      to_text(voxels) + " voxels: must be at most " + to_text(most));
+                      to_text(voxels) + " voxels: raise --voxel to " +
+                      to_text(descriptor.scale_divisor / most) + " at least");
+}
+
+// The library names its own parameters, which are the options by other words.
+void check(const AP::Shape_descriptor_options& descriptor)
+{
   try {
     AP::internal::check(descriptor);
   } catch(const std::invalid_argument& error) {
@@ -169,6 +176,7 @@ bool read_options(const std::vector<std::string>& arguments, Console& console,
   options.descriptor.binning = binnings.at(options.kind);
   choose_normals(options);
   check(options.descriptor);
+  check_voxels(options.descriptor);
   return true;
 }
 

@@ -111,23 +111,27 @@ std::map<double, double> smallest_sigmas(const std::vector<AP::Query>& queries)
   return smallest;
 }
 
-void check_memory(const std::map<double, double>& sigmas, double area,
+// Points are samples as they are.
+void check_memory(const Input& input, const std::map<double, double>& sigmas, double area,
                   const Evaluate_options& options)
 {
   constexpr double bytes_of_surfel = 150; // measured, while either tree is built
   for(const auto& [radius, sigma] : sigmas) {
     const double spacing = options.sampling_ratio * sigma;
-    const double bytes = bytes_of_surfel * area / (spacing * spacing);
+    const double samples =
+        input.is_point_set ? double(input.points.size()) : area / (spacing * spacing);
+    const double bytes = bytes_of_surfel * samples;
     if(bytes > options.common.max_memory)
       throw Input_error(options.mesh + ": samples for a sigma of " + to_text(sigma) + " need " +
-                        bytes_to_text(bytes) +
-                        "; use --method exact, or raise --sampling-ratio or --max-memory (" +
-                        bytes_to_text(options.common.max_memory) + ")");
+                        bytes_to_text(bytes) + "; " +
+                        (input.is_point_set ? "give fewer points or raise"
+                                            : "use --method exact, or raise --sampling-ratio or") +
+                        " --max-memory (" + bytes_to_text(options.common.max_memory) + ")");
   }
 }
 
-std::vector<double> evaluate(const Surface& surface, const std::vector<AP::Query>& queries,
-                             const Evaluate_options& options)
+std::vector<double> evaluate(const Input& input, const Surface& surface,
+                             const std::vector<AP::Query>& queries, const Evaluate_options& options)
 {
   using Tag = CGAL::Parallel_if_available_tag;
   const AP::Side side = options.side == "inside" ? AP::Side::INSIDE : AP::Side::OUTSIDE;
@@ -136,7 +140,7 @@ std::vector<double> evaluate(const Surface& surface, const std::vector<AP::Query
       return AP::Exact_evaluator(surface, scale.radius, side);
     });
   const std::map<double, double> sigmas = smallest_sigmas(queries);
-  check_memory(sigmas, surface.total_area(), options);
+  check_memory(input, sigmas, surface.total_area(), options);
   const auto spacing = [&](const AP::Scale& scale) {
     return options.sampling_ratio * sigmas.at(scale.radius);
   };
@@ -255,7 +259,7 @@ bool run_evaluate(const std::vector<std::string>& arguments, Console& console)
   report_parameters(options, queries, console);
 
   const auto surface = make_surface(input, options.surface, 1);
-  const std::vector<double> areas = evaluate(*surface, queries, options);
+  const std::vector<double> areas = evaluate(input, *surface, queries, options);
   const Signal_watch signals;
   write_results(queries, areas, options, console);
   console.report["peak_memory_bytes"] = peak_memory();

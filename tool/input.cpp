@@ -11,6 +11,7 @@
 #include "mesh_topology.h"
 #include "mesh_triangulation.h"
 
+#include <CGAL/Area_projection_transform/IO/number_text.h>
 #include <CGAL/Area_projection_transform/normals_from_points.h>
 
 #include <algorithm>
@@ -279,7 +280,8 @@ void take_points(const Input_file& file, Raw_mesh&& raw, const Reading_options& 
       fail(" has a normal that is not finite or longer than 1e15: correct it, or remove the point");
     if(!raw.areas.empty() &&
        !(raw.areas[i] >= 0 && raw.areas[i] <= largest_coordinate * largest_coordinate))
-      fail(" has the area " + std::to_string(raw.areas[i]) + ": must be finite and not negative");
+      fail(" has the area " + CGAL::Area_projection::IO::to_text(raw.areas[i]) +
+           ": must be from 0 to 1e30");
     const double length = std::sqrt(n.squared_length());
     if(!(length > 0)) {
       report.points_without_normal += options.estimate_normals ? 0 : 1;

@@ -45,13 +45,13 @@ void add_files(CLI::App& app, Lines_options& options)
 void add_selection(CLI::App& app, AP::Centerline_options& lines)
 {
   app.add_option("--radius-min", lines.smallest_radius,
-                 "the smallest radius of a tube (default: 0.006 of the diagonal of the bounding "
-                 "box)")
+                 "the smallest radius of a tube (default: 0.003 of twice the largest distance from "
+                 "the centroid, or less if all is one thinner tube)")
       ->type_name("LENGTH")
       ->check(positive_number())
       ->group("Selection");
   app.add_option("--radius-max", lines.largest_radius,
-                 "the largest radius of a tube (default: 0.2 of the diagonal)")
+                 "the largest radius of a tube (default: 0.25 of twice that distance)")
       ->type_name("LENGTH")
       ->check(positive_number())
       ->group("Selection");

@@ -89,7 +89,7 @@ int run(const std::vector<std::string>& arguments, Console& console)
     if(command->run({arguments.begin() + 1, arguments.end()}, console))
       return console.finish();
   }
-  return console.flush(); // a help
+  return console.flush(); // of a help or a version
 }
 
 // TBB throws a plain std::runtime_error then, which tells by its text only what it is about.

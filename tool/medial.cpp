@@ -26,6 +26,7 @@
 #include <CGAL/Area_projection_transform/IO/medial_balls_PLY.h>
 #include <CGAL/Area_projection_transform/internal/diagonal_of.h>
 #include <CGAL/Area_projection_transform/medial_axis_comparison/shape_topology.h>
+#include <CGAL/Area_projection_transform/medial_balls/Medial_samples.h>
 #include <CGAL/Area_projection_transform/medial_balls/select_balls.h>
 #include <CGAL/Area_projection_transform/medial_balls/select_connecting.h>
 #include <CGAL/Area_projection_transform/medial_complex.h>
@@ -139,18 +140,20 @@ void check_memory(const Input& input, const Surface& surface, const Medial_optio
 {
   const bool is_more = options.method == "polar" || !options.compare.empty();
   const double bytes_of_ball = is_more ? 2400 : 1300;
-  double balls = double(surface.number_of_elements());
-  if(options.computation.spacing && !input.is_point_set) {
-    constexpr double density = 2.1; // triangles that are halved are smaller than the spacing allows
-    const double spacing = *options.computation.spacing;
-    balls = std::max(balls, density * surface.total_area() / (spacing * spacing));
-  }
+  const double balls = std::visit(
+      [&](const auto* source) {
+        return AP::internal::forecast_medial_balls(*source, options.computation);
+      },
+      surface.source());
   const double bytes = bytes_of_ball * balls;
-  if(bytes > options.common.max_memory)
-    throw Input_error(options.mesh + ": " + to_text(balls, 3) + " balls need " +
-                      bytes_to_text(bytes) + "; " +
-                      (options.computation.spacing ? "raise --spacing" : "simplify the mesh") +
-                      " or raise --max-memory (" + bytes_to_text(options.common.max_memory) + ")");
+  if(bytes <= options.common.max_memory)
+    return;
+  const char* const remedy = input.is_point_set            ? "give fewer points"
+                             : options.computation.spacing ? "raise --spacing"
+                                                           : "simplify the mesh";
+  throw Input_error(options.mesh + ": about " + to_text(balls, 3) + " balls need " +
+                    bytes_to_text(bytes) + "; " + remedy + " or raise --max-memory (" +
+                    bytes_to_text(options.common.max_memory) + ")");
 }
 
 void check_outputs(const Medial_options& options)

@@ -13,6 +13,7 @@
 #include <CGAL/Area_projection_transform/internal/atomic_file.h>
 #include <CGAL/Area_projection_transform/medial_axis_comparison.h>
 
+#include <algorithm>
 #include <cmath>
 #include <cstdio>
 #include <optional>
@@ -87,7 +88,9 @@ Comparison compare(const Source& source, const Medial_result& found, const Media
   }
   Signal_watch::check();
   result.thickness = thickness_of(result.axes, source, options);
-  result.distances = AP::axis_distance_matrix<Tag>(result.axes.axes, result.axes.tolerance);
+  Signal_watch::check();
+  result.distances = AP::axis_distance_matrix<Tag>(
+      result.axes.axes, std::max(result.axes.tolerance, 0.001 * result.diagonal));
   return result;
 }
 

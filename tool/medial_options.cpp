@@ -66,9 +66,11 @@ void add_reconstruction(CLI::App& app, Medial_options& options)
          ".obj, .ply, .stl): the shape that they keep, and how far it is off")
       ->type_name("FILE")
       ->group("Output");
-  app.add_option("--cell", options.cell,
-                 "with --reconstruct: the width of the cells of the lattice, by which the mesh is "
-                 "off at most (default: 0.005 of the diagonal of the bounding box)")
+  app.add_option(
+         "--cell", options.cell,
+         "with --reconstruct: the width of the cells of the lattice, by which the mesh is "
+         "off at most; from 0.0005 of the diagonal of the bounding box to all of it (default: "
+         "0.005 of it)")
       ->type_name("LENGTH")
       ->check(positive_number())
       ->group("Reconstruction");

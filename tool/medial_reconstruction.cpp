@@ -15,7 +15,6 @@
 #include <CGAL/Area_projection_transform/medial_axis_comparison/union_of_balls_mesh.h>
 
 #include <algorithm>
-#include <stdexcept>
 #include <utility>
 
 namespace mapt {
@@ -27,6 +26,18 @@ namespace {
 using Json = nlohmann::ordered_json;
 using Tag = CGAL::Parallel_if_available_tag;
 
+// Balls outside may be much larger than the shape, which bounds what --cell can ask for.
+double cell_of(const AP::Medial_representation& axis, double diagonal,
+               const Medial_options& options)
+{
+  const double least = std::max(0.0005 * diagonal, AP::internal::Ball_lattice::least_cell(axis));
+  if(options.cell && !(*options.cell >= least && *options.cell <= diagonal))
+    throw Usage_error("--cell is " + to_text(*options.cell) + ": must be from " +
+                      to_text(least, 9) + " to the diagonal of the bounding box, " +
+                      to_text(diagonal));
+  return options.cell.value_or(std::max(0.005 * diagonal, least));
+}
+
 template <class Source>
 Reconstruction reconstruct(const Medial_result& result, const Source& source,
                            const Medial_options& options)
@@ -37,9 +48,7 @@ Reconstruction reconstruct(const Medial_result& result, const Source& source,
     return reconstruction;
   AP::Medial_representation axis =
       AP::medial_representation("kept", result.balls, result.kept, result.growth);
-  const double extent = AP::internal::Ball_lattice::extent(axis); // of what is kept
-  const double cell =
-      options.cell.value_or(std::min(0.005 * reconstruction.diagonal, 0.1 * extent));
+  const double cell = cell_of(axis, reconstruction.diagonal, options);
   if(options.is_interpolated)
     axis = AP::interpolated_balls(axis, cell);
   Signal_watch::check();
@@ -70,12 +79,8 @@ Json to_json(const AP::Reconstruction_error& error)
 Reconstruction reconstruct(const Medial_result& result, const Surface& surface,
                            const Medial_options& options)
 {
-  try {
-    return std::visit([&](const auto* source) { return reconstruct(result, *source, options); },
-                      surface.source());
-  } catch(const std::invalid_argument& error) {
-    throw Usage_error(std::string("--") + error.what());
-  }
+  return std::visit([&](const auto* source) { return reconstruct(result, *source, options); },
+                    surface.source());
 }
 
 void report_reconstruction(const Reconstruction& reconstruction, Console& console)

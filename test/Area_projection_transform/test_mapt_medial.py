@@ -246,6 +246,8 @@ class Medial(Test):
                 ([self.mesh, "--interpolate"], WRONG_USAGE, "--reconstruct"),
                 ([self.mesh, "--reconstruct", self.path / "m.off", "--cell", "1e-5"], WRONG_USAGE,
                  "--cell is 1e-05"),
+                ([self.mesh, "--reconstruct", self.path / "m.off", "--cell", "1e-30", "--interpolate"],
+                 WRONG_USAGE, "--cell is 1e-30"),
                 ([self.mesh, "--reconstruct", self.path / "m.off", "--cell", "1e6"], WRONG_USAGE,
                  "--cell is 1e+06"),
                 ([self.mesh, "--spacing", "1e-5"], UNUSABLE_INPUT,

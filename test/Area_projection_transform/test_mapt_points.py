@@ -45,6 +45,15 @@ class Points(Test):
                 self.assertEqual(len(report["warnings"]), 1)
                 self.assertIn("18 neighbours", report["warnings"][0])
 
+    def test_are_samples_as_they_are(self):
+        # Faces would be cut into many more for so small a ball.
+        table = self.write("small.csv", "x,y,z,radius,sigma\n0,0,0,1,1e-4\n")
+        file = SHELF / "points_with_normals.xyz"
+        for method in ("samples", "kd-tree"):
+            self.succeed("evaluate", file, "--at", table, "--method", method)
+        self.fail_with(UNUSABLE_INPUT, ["give fewer points or raise --max-memory (100 bytes)"],
+                       "evaluate", file, "--at", table, "--max-memory", 100)
+
     def test_without_the_option(self):
         for command, more in (("info", []), ("transform", []), ("evaluate", ["--at", self.table])):
             self.fail_with(UNUSABLE_INPUT, ["plain.xyz", "no normals", "--estimate-normals"], command,

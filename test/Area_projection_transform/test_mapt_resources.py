@@ -67,6 +67,17 @@ class Memory(Limited):
         self.fail_with(UNUSABLE_INPUT, ["--max-memory"], *options, "--max-memory",
                        int(0.95 * needed))
 
+    def test_balls_that_are_allowed_are_near_the_peak(self):
+        """By a factor of two: what connects the balls depends on the shape, and needles are cut smaller than others."""
+        for mesh, options in ((DATA / "hand.obj", ["--spacing", 0.004]),
+                              (DATA / "human_woman.obj", ["--spacing", 0.007]),
+                              (DATA / "hand.obj", ["--spacing", 0.006, "--method", "polar"])):
+            with self.subTest(mesh=mesh, options=options):
+                peak = self.report("medial", mesh, *options)["peak_memory_bytes"]
+                self.succeed("medial", mesh, *options, "--max-memory", 2 * peak)
+                self.fail_with(UNUSABLE_INPUT, ["balls need", "--max-memory"], "medial", mesh, *options,
+                               "--max-memory", peak / 2)
+
     def test_memory_that_ends(self):
         """At whatever point: an error of one line and no file, or all is well."""
         before = self.files() + ["at.csv"]

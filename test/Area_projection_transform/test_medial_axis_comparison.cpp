@@ -304,6 +304,17 @@ TEST(Medial_axes, are_made_until_the_callback_answers_no)
     EXPECT_TRUE(axes.left_out.empty());
     EXPECT_EQ(calls, most);
   }
+  // Who always says yes changes nothing, and is told of all of the work.
+  std::vector<double> fractions{0};
+  const std::function<bool(double)> callback = [&](double fraction) {
+    EXPECT_GE(fraction, fractions.back());
+    fractions.push_back(fraction);
+    return true;
+  };
+  const Medial_axes all = AP::medial_axes(surface, options, CGAL::parameters::callback(callback));
+  EXPECT_NEAR(fractions.back(), 1, 1e-12);
+  ASSERT_EQ(all.axes.size(), 8u);
+  EXPECT_EQ(all.axes.back().centers, AP::medial_axes(surface, options).axes.back().centers);
 }
 
 TEST(Medial_axes, leave_out_what_cannot_be_made)

@@ -209,7 +209,7 @@ TEST(Union_of_balls_mesh, says_what_is_wrong)
   const auto with = [](double cell) {
     return complaint([=] { AP::union_of_balls_mesh(balls_at({{0, 0, 0}}, {1}), cell); });
   };
-  for(const double cell : {0., -1., std::nan(""), 1e-4, 2.1})
+  for(const double cell : {0., -1., std::nan(""), 1e-4})
     EXPECT_NE(with(cell).find("cell"), std::string::npos) << cell;
   EXPECT_NE(with(1e-4).find("at least"), std::string::npos);
 }

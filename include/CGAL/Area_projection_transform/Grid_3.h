@@ -35,7 +35,7 @@ public:
   /// \param origin the centre of the first voxel
   /// \param spacing the distance of neighbours, in the unit of the points
   /// \param size the numbers of lattice points along the axes
-  /// \throw std::invalid_argument if `spacing` is not from `smallest_length` to `largest_length`, a
+  /// \throw std::invalid_argument if `spacing` is not positive or more than `largest_length`, a
   /// coordinate of `origin` is not finite, or a size is not positive.
   Grid_3(const Point_3& origin, double spacing, const std::array<int, 3>& size)
       : m_origin(origin), m_spacing(spacing), m_size(size)
@@ -97,7 +97,7 @@ private:
 /// \param box the box, in any unit of length
 /// \param spacing the distance of neighbours, in the same unit, positive
 /// \param margin how far the lattice reaches beyond the box at least, in the same unit, not negative
-/// \throw std::invalid_argument if `spacing` is not from `smallest_length` to `largest_length`, `margin` is
+/// \throw std::invalid_argument if `spacing` is not positive or more than `largest_length`, `margin` is
 /// negative, `box` is empty, or a side would have more than 2^24 lattice points.
 inline Grid_3 grid_around(const Bbox_3& box, double spacing, double margin = 0)
 {

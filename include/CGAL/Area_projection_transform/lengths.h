@@ -23,10 +23,6 @@ namespace Area_projection {
 inline constexpr double largest_length = 1e150;
 
 /// \ingroup PkgAreaProjectionTransformGround
-/// the smallest radius, `σ` or spacing: the squares of smaller ones are soon 0.
-inline constexpr double smallest_length = 1e-150;
-
-/// \ingroup PkgAreaProjectionTransformGround
 /// the largest coordinate of a surface: squared areas, which are fourth powers, must be numbers.
 inline constexpr double largest_coordinate = 1e75;
 
@@ -50,9 +46,9 @@ inline void check_positive(double value, const std::string& name)
 {
   if(!(value > 0) || !std::isfinite(value))
     throw std::invalid_argument(name + " is " + to_text(value) + ": must be positive and finite");
-  if(!(value >= smallest_length && value <= largest_length))
+  if(value > largest_length)
     throw std::invalid_argument(name + " is " + to_text(value) +
-                                ": must be from 1e-150 to 1e150, for its square to be a number");
+                                ": must be at most 1e150, for its square to be a number");
 }
 
 } // namespace internal

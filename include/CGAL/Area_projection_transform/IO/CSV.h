@@ -270,7 +270,7 @@ private:
       fail(text, "must be finite");
     if(c >= RADIUS && !(value > 0))
       fail(text, "must be positive");
-    if(c >= RADIUS && !(value >= smallest_length && value <= largest_length))
+    if(c >= RADIUS && !(value >= 1 / largest_length && value <= largest_length))
       fail(text, "must be from 1e-150 to 1e150, for its square to be a number");
     return value;
   }

@@ -76,7 +76,9 @@ inline Named_descriptors read_shape_descriptors_CSV(std::istream& in, const std:
 {
   CSV_reader reader(in, name);
   std::vector<std::string> fields;
-  if(!reader.read(fields) || fields.size() < 2 || fields[0] != "file")
+  if(!reader.read(fields))
+    reader.fail("is empty: the first line must name the columns file, h0, h1, …");
+  if(fields.size() < 2 || fields[0] != "file")
     reader.fail("the first line must name the columns file, h0, h1, …");
   const std::size_t dimension = fields.size() - 1;
   Named_descriptors result{{}, Descriptor_table(dimension, block_size)};

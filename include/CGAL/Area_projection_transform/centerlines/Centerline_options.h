@@ -26,7 +26,8 @@ struct Centerline_options
   /// the side of the surface on which lines are sought: the outside for bores.
   Side side = Side::INSIDE;
   /// the range of the radii, in the units of the surface.
-  /// Default: 0.006 to 0.2 of the diagonal of the bounding box.
+  /// Default: 0.003 to 0.25 of twice the largest distance of the surface from its centroid, and from less if all of the surface
+  /// may be one thinner tube. What is below 1e-9 of that is not looked for.
   std::optional<double> smallest_radius;
   std::optional<double> largest_radius; ///< \copydoc smallest_radius
   /// whether lines are joined where tubes meet, through the inside of the shape. Otherwise each is on its own.

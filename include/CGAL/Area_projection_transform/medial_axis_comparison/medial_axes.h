@@ -224,9 +224,9 @@ inline void check(const Medial_axes_options& options)
 /// \param np an optional named parameter:
 /// \cgalNamedParamsBegin
 ///   \cgalParamNBegin{callback}
-///     \cgalParamDescription{is told the progress, in [0, 1], and answers whether to go on; is called by any of the
-///                           threads, but never twice at a time. If it answers `false`, the axes made by then are
-///                           returned. While \cgal makes its skeleton it is not asked.}
+///     \cgalParamDescription{is told the progress, in [0, 1], after each axis and while centrelines are sought, and answers
+///                           whether to go on; is called by any of the threads, but never twice at a time. If it
+///                           answers `false`, the axes made by then are returned.}
 ///     \cgalParamType{an instance of `std::function<bool(double)>`}
 ///     \cgalParamDefault{none}
 ///   \cgalParamNEnd
@@ -247,15 +247,17 @@ Medial_axes medial_axes(const Source& surface, const std::vector<Medial_ball>& b
 }
 
 /// \ingroup PkgAreaProjectionTransformMedialComparison
-/// \brief finds the balls, too.
-template <class ConcurrencyTag = CGAL::Sequential_tag, class Source>
-Medial_axes medial_axes(const Source& surface, const Medial_axes_options& options = {})
+/// \brief finds the balls, too, without asking the callback.
+template <class ConcurrencyTag = CGAL::Sequential_tag, class Source,
+          class NamedParameters = CGAL::parameters::Default_named_parameters>
+Medial_axes medial_axes(const Source& surface, const Medial_axes_options& options = {},
+                        const NamedParameters& np = CGAL::parameters::default_values())
 {
   internal::check(options);
   const auto start = std::chrono::steady_clock::now();
   const std::vector<Medial_ball> balls = medial_balls<ConcurrencyTag>(surface, options.balls);
   const std::chrono::duration<double> passed = std::chrono::steady_clock::now() - start;
-  return medial_axes<ConcurrencyTag>(surface, balls, passed.count(), options);
+  return medial_axes<ConcurrencyTag>(surface, balls, passed.count(), options, np);
 }
 
 } // namespace Area_projection

@@ -65,13 +65,11 @@ public:
     if(m_whole.balls.empty())
       return;
     const Bbox_3 box = bbox(balls);
-    const double whole = extent(balls);
-    if(!(cell >= least_cell(balls) && cell <= whole))
-      throw std::invalid_argument("cell is " + internal::to_text(cell) + ": must be from " +
-                                  internal::to_text(least_cell(balls)) + ", 1/" +
-                                  std::to_string(most_cells - 2) +
-                                  " of the extent of the balls, to " + internal::to_text(whole));
-    while(m_whole.size < whole / cell + 2) // nodes on the border are outside
+    if(!(cell >= least_cell(balls)))
+      throw std::invalid_argument("cell is " + to_text(cell) + ": must be at least " +
+                                  to_text(least_cell(balls)) + ", 1/" +
+                                  std::to_string(most_cells - 2) + " of the extent of the balls");
+    while(m_whole.size < extent(balls) / cell + 2) // nodes on the border are outside
       m_whole.size *= 2;
     const double half = 0.5 * m_whole.size * cell;
     m_origin = {0.5 * (box.xmin() + box.xmax()) - half, 0.5 * (box.ymin() + box.ymax()) - half,
@@ -354,8 +352,8 @@ inline Triangle_surface joined(const std::vector<Ball_lattice::Triangles>& parts
 /// result does not depend on it, to the last bit
 /// \param axis the balls; those without a positive radius have no part in it
 /// \param cell the width of the cells of the lattice, in the units of the balls
-/// \throw std::invalid_argument if `cell` is not from 1/1022 of the longest side of the bounding box of the balls to all of
-/// it
+/// \throw std::invalid_argument if `cell` is not positive and finite, or less than 1/1022 of the longest side of the bounding box
+/// of the balls
 ///
 /// Complexity: of the area of the boundary over `cell²`, and of the balls that meet a cell. The hand in 200 balls at a two
 /// hundredth of its diagonal takes 0.1 s.

@@ -82,6 +82,19 @@ inline double medial_spacing(const Triangle_surface& surface)
   return bounded_spacing(surface, 1.5 * std::sqrt(surface.total_area() / number), 6 * number);
 }
 
+/// about how many balls there will be.
+inline double forecast_medial_balls(const Triangle_surface& surface,
+                                    const Medial_ball_options& options)
+{
+  const double spacing = options.spacing ? *options.spacing : medial_spacing(surface);
+  return std::isnormal(spacing) ? number_of_samples(surface, spacing) : 0;
+}
+
+inline double forecast_medial_balls(const Surfels& surfels, const Medial_ball_options&)
+{
+  return double(surfels.size());
+}
+
 inline Medial_samples::Medial_samples(const Triangle_surface& surface,
                                       const Medial_ball_options& options)
 {
@@ -121,7 +134,7 @@ inline Medial_samples::Medial_samples(const Surfels& surfels, const Medial_ball_
       throw std::invalid_argument("normals[" + std::to_string(i) + "] has the length " +
                                   internal::to_text(length) + ": must be 1");
     if(!(area >= 0) || !std::isfinite(area))
-      throw std::invalid_argument("areas[" + std::to_string(i) + "] is " + std::to_string(area) +
+      throw std::invalid_argument("areas[" + std::to_string(i) + "] is " + internal::to_text(area) +
                                   ": must be finite and not negative");
     push_back(position, sign / length * normal, area, surfels.sources[i]);
   }

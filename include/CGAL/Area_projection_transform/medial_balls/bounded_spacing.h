@@ -18,23 +18,26 @@ namespace CGAL {
 namespace Area_projection {
 namespace internal {
 
-/// \brief the spacing, or a larger one at which a surface has no more than so many samples, good to a factor of two.
+/// \brief about how many samples a surface has at a spacing, good to a factor of two.
 ///
 /// Needles are halved along both of their long edges: they take more pieces than their area tells.
+inline double number_of_samples(const Triangle_surface& surface, double spacing)
+{
+  double sum = 0;
+  for(std::size_t t = 0; t < surface.size(); ++t) {
+    double longest = 0;
+    for(int i = 0; i < 3; ++i)
+      longest =
+          std::max(longest, squared_distance(surface.corner(t, i), surface.corner(t, (i + 1) % 3)));
+    sum += 1 + (2 * surface.areas[t] + 0.05 * longest) / (spacing * spacing);
+  }
+  return sum;
+}
+
+/// the spacing, or a larger one at which a surface has about so many samples at most.
 inline double bounded_spacing(const Triangle_surface& surface, double spacing, double most)
 {
-  const auto number_of_samples = [&surface](double s) {
-    double sum = 0;
-    for(std::size_t t = 0; t < surface.size(); ++t) {
-      double longest = 0;
-      for(int i = 0; i < 3; ++i)
-        longest = std::max(longest,
-                           squared_distance(surface.corner(t, i), surface.corner(t, (i + 1) % 3)));
-      sum += 1 + (2 * surface.areas[t] + 0.05 * longest) / (s * s);
-    }
-    return sum;
-  };
-  while(std::isnormal(spacing) && number_of_samples(spacing) > most)
+  while(std::isnormal(spacing) && number_of_samples(surface, spacing) > most)
     spacing *= 1.3;
   return spacing;
 }

@@ -6,8 +6,11 @@
 
 #include "command_line.h"
 
+#include "config_file.h"
 #include "errors.h"
 #include "text.h"
+
+#include <CGAL/Area_projection_transform/IO/number_text.h>
 
 #include <algorithm>
 #include <charconv>
@@ -84,20 +87,36 @@ public:
   }
 };
 
+std::string nearest_option(const CLI::App& app, const std::string& word)
+{
+  std::vector<std::string> names;
+  for(const CLI::Option* option : app.get_options())
+    for(const std::string& name : option->get_lnames())
+      names.push_back("--" + name);
+  const std::string nearest = nearest_word(word, names);
+  return nearest.empty() ? "see " + app.get_name() + " --help" : "did you mean " + nearest + "?";
+}
+
 [[noreturn]] void fail_for_extras(const CLI::App& app)
 {
   const std::vector<std::string> extras = app.remaining();
   const std::string& word = extras.empty() ? std::string() : extras.front();
   if(word.empty() || word[0] != '-')
     throw Usage_error("'" + word + "' is one argument too many: see " + app.get_name() + " --help");
-  std::vector<std::string> names;
-  for(const CLI::Option* option : app.get_options())
-    for(const std::string& name : option->get_lnames())
-      names.push_back("--" + name);
-  const std::string nearest = nearest_word(word.substr(0, word.find('=')), names);
-  throw Usage_error(
-      "there is no option " + word + ": " +
-      (nearest.empty() ? "see " + app.get_name() + " --help" : "did you mean " + nearest + "?"));
+  throw Usage_error("there is no option " + word + ": " +
+                    nearest_option(app, word.substr(0, word.find('='))));
+}
+
+// CLI11 tells of words that are no options by a text only.
+[[noreturn]] void fail_for_config(const CLI::App& app, std::string what)
+{
+  const std::string unknown = "INI was not able to parse ";
+  if(what.rfind(unknown, 0) == 0) {
+    const std::string word = what.substr(unknown.size());
+    what = "there is no option " + CGAL::Area_projection::IO::internal::in_quotes(word) + ": " +
+           nearest_option(app, "--" + word);
+  }
+  throw Usage_error("--config " + config_file_of(app) + ": " + what);
 }
 
 std::string one_line(std::string text)
@@ -188,6 +207,7 @@ void add_console_options(CLI::App& app, Console& console)
   app.set_config("--config", "", "read options from a file with lines such as 'threads = 2'")
       ->type_name("FILE")
       ->group("Messages");
+  app.config_formatter(std::make_shared<Config_reader>());
   app.allow_config_extras(CLI::config_extras_mode::error);
   app.set_version_flag("--version", "mapt " MAPT_VERSION, "print the version")->group("Messages");
   app.set_help_flag("-h,--help", "print this help")->group("Messages");
@@ -235,6 +255,7 @@ bool parse(CLI::App& app, std::vector<std::string> arguments)
   std::reverse(arguments.begin(), arguments.end()); // as CLI11 wants them
   try {
     app.parse(arguments);
+    check_config_stays(app);
     return true;
   } catch(const CLI::CallForHelp&) {
     std::cout << app.help();
@@ -242,6 +263,10 @@ bool parse(CLI::App& app, std::vector<std::string> arguments)
     std::cout << version.what() << '\n';
   } catch(const CLI::ExtrasError&) {
     fail_for_extras(app);
+  } catch(const CLI::FileError&) {
+    fail_for_config(app, "cannot be read");
+  } catch(const CLI::ConfigError& error) {
+    fail_for_config(app, one_line(error.what()));
   } catch(const CLI::RequiredError& error) {
     throw Usage_error(one_line(error.what()) + ": see " + app.get_name() + " --help");
   } catch(const CLI::ParseError& error) {

@@ -210,6 +210,8 @@ bool read_options(const std::vector<std::string>& arguments, Console& console,
   check(options.surface);
   if(options.method == "exact" && options.surface.normals == "interpolated")
     throw Usage_error("--method exact needs flat faces: leave --normals interpolated out");
+  if(options.method == "exact" && app.count("--sampling-ratio") > 0)
+    throw Usage_error("--sampling-ratio has no effect on --method exact: leave it out");
   if(console.is_json && options.output == "-")
     throw Usage_error("--json and --output - both want standard output: leave one out (without "
                       "--output the object holds the results)");

@@ -52,12 +52,11 @@ void write_files(const AP::Centerline_graph& graph, const Surface& surface, cons
 
 void check_outputs(const Lines_options& options)
 {
+  std::vector<Named_output> outputs{{"--segments", options.segments},
+                                    {"--picture", options.picture}};
   for(const std::string& output : options.outputs)
-    check_output("--output", output, {options.mesh});
-  if(!options.segments.empty())
-    check_output("--segments", options.segments, {options.mesh});
-  if(!options.picture.empty())
-    check_output("--picture", options.picture, {options.mesh});
+    outputs.push_back({"--output", output});
+  mapt::check_outputs(outputs, {options.mesh});
 }
 
 } // namespace

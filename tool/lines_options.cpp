@@ -90,11 +90,8 @@ void add_computation(CLI::App& app, Lines_options& options)
 
 void check(const Lines_options& options)
 {
-  for(const std::string& output : options.outputs) {
+  for(const std::string& output : options.outputs)
     check_extension("--output", output, {".vtp", ".swc", ".obj", ".json"});
-    if(std::count(options.outputs.begin(), options.outputs.end(), output) > 1)
-      throw Usage_error("--output " + output + " is to be written twice: name it once");
-  }
   if(!options.segments.empty())
     check_extension("--segments", options.segments, {".ply"});
   if(!options.picture.empty())

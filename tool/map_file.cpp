@@ -16,6 +16,7 @@
 #include <cctype>
 #include <filesystem>
 #include <new>
+#include <set>
 
 namespace mapt {
 
@@ -58,6 +59,19 @@ void check_output(const std::string& option, const std::string& file,
                         ": choose another name");
   }
   check_writable(file);
+}
+
+void check_outputs(const std::vector<Named_output>& outputs, const std::vector<std::string>& inputs)
+{
+  std::set<std::filesystem::path> places;
+  for(const auto& [option, file] : outputs) {
+    if(file.empty())
+      continue;
+    std::error_code ignored; // of a file that does not exist
+    if(!places.insert(std::filesystem::weakly_canonical(file, ignored)).second)
+      throw Usage_error(option + " " + file + " is to be written twice: choose another name");
+    check_output(option, file, inputs);
+  }
 }
 
 void write_map(const std::string& file, const IO::Grid_image& image, bool is_compressed)

@@ -28,6 +28,16 @@ void check_writable(const std::string& file);
 void check_output(const std::string& option, const std::string& file,
                   const std::vector<std::string>& inputs);
 
+/// a file that an option names; empty if it is not given.
+struct Named_output
+{
+  std::string option, file;
+};
+
+/// \throw Usage_error also if two of them are one file.
+void check_outputs(const std::vector<Named_output>& outputs,
+                   const std::vector<std::string>& inputs);
+
 /// writes .vti or .nrrd.
 /// \throw Output_error if it cannot be written.
 void write_map(const std::string& file, const CGAL::Area_projection::IO::Grid_image& image,

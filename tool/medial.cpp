@@ -156,16 +156,6 @@ void check_memory(const Input& input, const Surface& surface, const Medial_optio
                     bytes_to_text(options.common.max_memory) + ")");
 }
 
-void check_outputs(const Medial_options& options)
-{
-  for(const auto& [name, file] : {std::pair("--output", options.output),
-                                  {"--picture", options.picture},
-                                  {"--reconstruct", options.reconstruct},
-                                  {"--compare", options.compare}})
-    if(!file.empty())
-      check_output(name, file, {options.mesh});
-}
-
 } // namespace
 
 bool run_medial(const std::vector<std::string>& arguments, Console& console)
@@ -173,7 +163,11 @@ bool run_medial(const std::vector<std::string>& arguments, Console& console)
   Medial_options options;
   if(!read_options(arguments, console, options))
     return false;
-  check_outputs(options);
+  check_outputs({{"--output", options.output},
+                 {"--picture", options.picture},
+                 {"--reconstruct", options.reconstruct},
+                 {"--compare", options.compare}},
+                {options.mesh});
 
   Stopwatch watch;
   const Thread_limit limit(number_of_threads(options.common.threads));

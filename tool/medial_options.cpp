@@ -182,6 +182,8 @@ void check(const CLI::App& app, const Medial_options& options)
                       " is of the mesh of balls: name a file with --reconstruct");
   if(options.do_write_kept_only && options.output.empty())
     throw Usage_error("--kept-only has nothing to write: name a file with --output");
+  if(app.count("--seed") > 0 && options.select != "random" && options.compare.empty())
+    throw Usage_error("--seed has no effect: nothing is selected by chance");
   if(options.select == "random" && !options.balls)
     throw Usage_error("--select random needs a number: give --balls");
   if(app.count("--weight") > 0 && !options.prune &&

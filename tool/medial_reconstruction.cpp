@@ -38,6 +38,21 @@ double cell_of(const AP::Medial_representation& axis, double diagonal,
   return options.cell.value_or(std::max(0.005 * diagonal, least));
 }
 
+// As measured; what sticks out of balls is told by another mesh of them.
+void check_memory(const AP::Medial_representation& axis, double area, double cell,
+                  const Medial_options& options)
+{
+  constexpr double bytes_of_square = 3000; // as large as a cell
+  double area_of_balls = 0;
+  for(const double radius : axis.radii)
+    area_of_balls += 4 * 3.14159265358979323846 * radius * radius;
+  const double bytes = bytes_of_square * std::min(area, area_of_balls) / (cell * cell);
+  if(bytes > options.common.max_memory)
+    throw Input_error(options.mesh + ": the mesh of the balls in cells of " + to_text(cell) +
+                      " needs " + bytes_to_text(bytes) + "; raise --cell or raise --max-memory (" +
+                      bytes_to_text(options.common.max_memory) + ")");
+}
+
 template <class Source>
 Reconstruction reconstruct(const Medial_result& result, const Source& source,
                            const Medial_options& options)
@@ -49,6 +64,7 @@ Reconstruction reconstruct(const Medial_result& result, const Source& source,
   AP::Medial_representation axis =
       AP::medial_representation("kept", result.balls, result.kept, result.growth);
   const double cell = cell_of(axis, reconstruction.diagonal, options);
+  check_memory(axis, source.total_area(), cell, options);
   if(options.is_interpolated)
     axis = AP::interpolated_balls(axis, cell);
   Signal_watch::check();
@@ -98,8 +114,11 @@ void report_reconstruction(const Reconstruction& reconstruction, Console& consol
                           percent(values.quantile_95) + " % in 1 of 20 places, by " +
                           percent(values.largest) + " % at most");
   };
-  if(reconstruction.mesh.empty())
+  if(reconstruction.mesh.empty()) {
+    console.warn(
+        "the mesh of the balls is empty: none of them has a node of a cell inside; lower --cell");
     return;
+  }
   row("missing", "the surface is outside of the balls", error.missing);
   if(error.protrusion)
     row("protruding", "the balls stick out", *error.protrusion);

@@ -131,10 +131,9 @@ void check_outputs(const Retrieve_options& options)
   std::vector<std::string> inputs{options.table};
   if(!options.labels.empty())
     inputs.push_back(options.labels);
-  if(!options.distances.empty())
-    check_output("--distances", options.distances, inputs);
-  if(!options.precision_recall.empty())
-    check_output("--precision-recall", options.precision_recall, inputs);
+  mapt::check_outputs(
+      {{"--distances", options.distances}, {"--precision-recall", options.precision_recall}},
+      inputs);
 }
 
 void write_files(const AP::IO::Named_descriptors& shapes,

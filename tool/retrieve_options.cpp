@@ -28,9 +28,10 @@ const std::map<std::string, AP::Distance_kind> kinds{
 
 void add_files(CLI::App& app, Retrieve_options& options)
 {
-  app.add_option("TABLE", options.table,
-                 "a table of mapt describe (.csv), or any with a column of names and columns of "
-                 "numbers that are not negative")
+  app.add_option(
+         "TABLE", options.table,
+         "a table of mapt describe (.csv), or any with a first column that is named file, and "
+         "columns of numbers that are not negative")
       ->required()
       ->type_name("");
   app.add_option(
@@ -84,19 +85,20 @@ void add_questions(CLI::App& app, Retrieve_options& options)
       ->group("Retrieval");
 }
 
-void check(const Retrieve_options& options)
+void check(const CLI::App& app, const Retrieve_options& options)
 {
-  if(options.labels.empty() && options.queries.empty() && options.distances.empty())
-    throw Usage_error("there is nothing to do: give --labels, --query or --distances");
+  if(options.queries.empty() && app.count("--neighbours") > 0)
+    throw Usage_error("--neighbours has no effect without --query: leave it out");
+  if(options.labels.empty() && app.count("--smallest-class") > 0)
+    throw Usage_error("--smallest-class has no effect without --labels: leave it out");
   if(options.labels.empty() && !options.precision_recall.empty())
     throw Usage_error("--precision-recall needs classes: give --labels");
+  if(options.labels.empty() && options.queries.empty() && options.distances.empty())
+    throw Usage_error("there is nothing to do: give --labels, --query or --distances");
   if(options.bins && !options.has_blocks())
     throw Usage_error("--bins has no effect on --distance " + options.distance + ": leave it out");
   if(!options.distances.empty())
     check_extension("--distances", options.distances, {".csv", ".f32"});
-  if(!options.distances.empty() && options.distances == options.precision_recall)
-    throw Usage_error("--distances " + options.distances +
-                      " is to be written twice: give the curves another name");
 }
 
 } // namespace
@@ -130,7 +132,7 @@ bool read_options(const std::vector<std::string>& arguments, Console& console,
   add_console_options(app, console);
   if(!parse(app, arguments))
     return false;
-  check(options);
+  check(app, options);
   return true;
 }
 

@@ -71,12 +71,10 @@ void write_files(const Salient_points& found, const Surface& surface, const Inpu
 
 void check_outputs(const Salient_options& options)
 {
-  if(!options.is_to_stdout())
-    check_output("--output", options.output, {options.mesh});
-  if(!options.voters.empty())
-    check_output("--voters", options.voters, {options.mesh});
-  if(!options.picture.empty())
-    check_output("--picture", options.picture, {options.mesh});
+  mapt::check_outputs({{"--output", options.is_to_stdout() ? "" : options.output},
+                       {"--voters", options.voters},
+                       {"--picture", options.picture}},
+                      {options.mesh});
 }
 
 } // namespace

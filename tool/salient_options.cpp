@@ -123,10 +123,6 @@ void check(const Salient_options& options, const Console& console)
     check_extension("--voters", options.voters, {".ply"});
   if(!options.picture.empty())
     check_extension("--picture", options.picture, {".png"});
-  for(const std::string& other : {options.voters, options.picture})
-    if(!options.output.empty() && options.output == other)
-      throw Usage_error("--output " + options.output +
-                        " is to be written twice: give the table another name");
   if(console.is_json && options.output == "-")
     throw Usage_error("--json and --output - both want standard output: leave one out (the object "
                       "holds the points in any case)");

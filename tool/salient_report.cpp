@@ -148,10 +148,13 @@ void report_points(const Salient_points& found, const Salient_options& options, 
   const Json counts = counts_of(found);
   console.report["counts"] = counts;
   if(found.points.empty()) {
-    console.warn(options.mesh + ": nothing found: no point has an intensity of " +
-                 to_text(options.used_threshold()) +
-                 (options.types.empty() ? "" : " and such a type") +
-                 "; lower --threshold, or look at the other side with --side");
+    const double threshold = options.used_threshold();
+    console.warn(
+        options.mesh + ": nothing found: no point has " +
+        (threshold > 0 ? "an intensity of " + to_text(threshold) : "a radius in the range") +
+        (options.types.empty() ? "" : " and such a type") + "; " +
+        (threshold > 0 ? "lower --threshold" : "widen --radius-min and --radius-max") +
+        ", or look at the other side with --side");
     return;
   }
   console.row("found", counted(found.points.size(), "point", "points") +

@@ -104,7 +104,7 @@ void add_computation(CLI::App& app, Transform_options& options)
   add_thread_option(app, options.common);
 }
 
-void check(const Transform_options& options)
+void check(const CLI::App& app, const Transform_options& options)
 {
   if(!options.output.empty())
     check_extension("--output", options.output, {".vti", ".nrrd"});
@@ -113,6 +113,8 @@ void check(const Transform_options& options)
   check(options.surface);
   if(options.method == "exact" && options.surface.normals == "interpolated")
     throw Usage_error("--method exact needs flat faces: leave --normals interpolated out");
+  if(options.method == "exact" && app.count("--sampling-ratio") > 0)
+    throw Usage_error("--sampling-ratio has no effect on --method exact: leave it out");
 }
 
 } // namespace
@@ -134,7 +136,7 @@ bool read_options(const std::vector<std::string>& arguments, Console& console,
   add_console_options(app, console);
   if(!parse(app, arguments))
     return false;
-  check(options);
+  check(app, options);
   return true;
 }
 

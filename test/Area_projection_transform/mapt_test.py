@@ -25,7 +25,8 @@ DONE, WRONG_USAGE, UNUSABLE_INPUT, OUTPUT_NOT_WRITTEN, INTERRUPTED = 0, 2, 3, 4,
 
 
 def run(*arguments):
-    return subprocess.run([MAPT, *map(str, arguments)], capture_output=True, text=True, timeout=300,
+    # So long only with a sanitizer on a busy machine; ctest has its own limit.
+    return subprocess.run([MAPT, *map(str, arguments)], capture_output=True, text=True, timeout=1000,
                           check=False)
 
 

@@ -246,14 +246,17 @@ class Medial(Test):
                 ([self.mesh, "--interpolate"], WRONG_USAGE, "--reconstruct"),
                 ([self.mesh, "--reconstruct", self.path / "m.off", "--cell", "1e-5"], WRONG_USAGE,
                  "--cell is 1e-05"),
-                ([self.mesh, "--reconstruct", self.path / "m.off", "--cell", "1e-30", "--interpolate"],
-                 WRONG_USAGE, "--cell is 1e-30"),
+                ([self.mesh, "--reconstruct", self.path / "m.off", "--cell", "1e-30",
+                  "--interpolate"], WRONG_USAGE, "--cell is 1e-30"),
                 ([self.mesh, "--reconstruct", self.path / "m.off", "--cell", "1e6"], WRONG_USAGE,
                  "--cell is 1e+06"),
                 ([self.mesh, "--spacing", "1e-5"], UNUSABLE_INPUT,
                  "raise --spacing or raise --max-memory (2 GB)"),
                 ([self.mesh, "--max-memory", "10k"], UNUSABLE_INPUT,
                  "simplify the mesh or raise --max-memory"),
+                ([self.mesh, "--reconstruct", self.path / "m.off", "--cell", "0.002"], UNUSABLE_INPUT,
+                 "raise --cell or raise --max-memory"),
+                ([self.mesh, "--seed", "3"], WRONG_USAGE, "--seed"),
                 ([self.mesh, "--coverage", "2"], WRONG_USAGE, "--coverage"),
                 ([self.mesh, "--coverage", "0.5"], WRONG_USAGE, "--compare"),
                 ([self.mesh, "--compare", self.path / "c.json", "--coverage", "0.5", "--balls",
@@ -330,6 +333,17 @@ class Comparison(Test):
         self.assertEqual([entry["name"] for entry in comparison["left_out"]], ["skeleton"])
         self.assertIsNone(comparison["shape"])
         self.assertIsNone(comparison["representations"][0]["volume"]["overlap"])
+
+    def test_of_a_plate_that_is_thinner_than_a_cell(self):
+        corners = [(x, y, z) for x in (0, 10) for y in (0, 10) for z in (0, 0.02)]
+        sides = [(0, 1, 3, 2), (4, 6, 7, 5), (0, 4, 5, 1), (2, 3, 7, 6), (0, 2, 6, 4), (1, 5, 7, 3)]
+        plate = self.write("plate.off", off(corners, [(a, b, c) for a, b, c, _ in sides] +
+                                                    [(a, c, d) for a, _, c, d in sides]))
+        self.succeed("medial", plate, "--compare", self.path / "plate.json", "--balls", 3)
+        # Balls of a twentieth of a cell hold none of its nodes, but once in a thousand times.
+        result = self.succeed("medial", plate, "--reconstruct", self.path / "plate.stl", "--balls", 2,
+                              "--select", "random", "--cell", 1)
+        self.assertIn("the mesh of the balls is empty", result.stderr)
 
     def test_a_name_of_two_lines_does_not_end_the_header(self):
         mesh = self.write("two\nlines.off", off(self.points, self.faces))

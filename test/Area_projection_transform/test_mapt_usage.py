@@ -92,8 +92,41 @@ class Usage(Test):
         self.assertEqual((parameters["voxel"], parameters["side"]), (0.1, "both"))
         parameters = self.report("transform", self.sphere, "--config", config, "--voxel", 0.2)
         self.assertEqual(parameters["parameters"]["voxel"], 0.2)
-        config = self.write("bad.toml", "vocsel = 1\n")
-        self.fail_with(WRONG_USAGE, ["vocsel"], "transform", self.sphere, "--config", config)
+        for text, parts in (("vocsel = 1\n", ["there is no option 'vocsel'", "did you mean --voxel?"]),
+                            ("x" * 60000, ["there is no option 'x", "--help"]),
+                            ("voxel = 'wide'\n", ["--voxel", "wide"]),
+                            ("\n[transform]\nvoxel = 1\n", ["line 2", "sections"]),
+                            ("[" + "a." * 20000 + "b]\nvoxel = 1\n", ["line 1", "sections"]),
+                            ('picture = "a\n', ["line 1", "quote"]),
+                            ("#" * 100000, ["larger than 64 kB"])):
+            with self.subTest(text=text[:40]):
+                config = self.write("bad.toml", text)
+                result = run("transform", self.sphere, "--config", config)
+                self.assertEqual(result.returncode, WRONG_USAGE, result.stderr)
+                for part in parts:
+                    self.assertIn(part, result.stderr)
+                self.assertEqual(result.stderr.count("\n"), 1)
+                self.assertLess(len(result.stderr), 300)
+        for file, part in (("/dev/zero", "64 kB"), (self.path, "cannot be read")):
+            self.fail_with(WRONG_USAGE, ["--config", part], "info", self.sphere, "--config", file)
+
+    def test_config_is_not_replaced(self):
+        config = self.write("mine.csv", "threads = 1\n")
+        self.fail_with(WRONG_USAGE, ["--output", "mine.csv", "file of --config"], "salient", self.sphere,
+                       "--config", config, "-o", self.path / "." / "mine.csv")
+        self.assertEqual(config.read_text(), "threads = 1\n")
+
+    def test_outputs_are_apart(self):
+        """Also where a file is named by two paths."""
+        folder = self.path / "folder"
+        folder.mkdir()
+        one, other = self.path / "same.ply", folder / ".." / "same.ply"
+        for command in (("medial", self.sphere, "-o", one, "--reconstruct", other),
+                        ("salient", self.sphere, "-o", one, "--voters", other),
+                        ("lines", self.sphere, "-o", self.path / "l.obj", "-o", folder / ".." / "l.obj")):
+            with self.subTest(command=command):
+                self.fail_with(WRONG_USAGE, ["to be written twice"], *command)
+                self.assertFalse(one.exists())
 
     def test_quiet_and_verbose(self):
         mixed = SHELF / "mixed_orientation.off"

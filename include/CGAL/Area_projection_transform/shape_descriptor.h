@@ -229,7 +229,7 @@ Shape_descriptor shape_descriptor(const Triangle_surface& surface,
   result.coverage = inside.coverage;
   result.number_of_voxels = inside.region.number_of_voxels();
   if(result.number_of_voxels == 0)
-    throw std::invalid_argument("surface encloses no voxel: voxel_size is too large for it");
+    throw std::invalid_argument("surface encloses no voxel: a voxel is too large for it");
 
   const internal::Histogram_maker<ConcurrencyTag> histograms(
       inside.region, result.scales, options.compensate ? 1 / inside.coverage : 1, options);

@@ -103,8 +103,8 @@ inline Label_list read_labels_CSV(const std::string& text, const std::string& na
   Label_list list;
   if(!reader.read(fields))
     reader.fail("is empty: the first line must name the columns file, class");
-  if(fields.size() < 2)
-    reader.fail("has no second column: the first line must name the columns file, class");
+  if(fields.size() < 2 || fields[0] != "file" || fields[1] != "class")
+    reader.fail("the first line must name the columns file, class");
   while(reader.read(fields)) {
     if(fields.size() < 2 || fields[0].empty())
       reader.fail("a shape and its class are expected");
@@ -129,7 +129,7 @@ inline std::string number_at_end(const std::string& name)
 
 /// \ingroup PkgAreaProjectionTransformIO
 /// \brief reads classes of shapes: a table of comma-separated values with a shape and its class in a row, after a first
-/// line with the names of these columns; or the classification of the Princeton shape benchmark (`.cla`), which begins
+/// line that names these columns `file` and `class`; or the classification of the Princeton shape benchmark (`.cla`), which begins
 /// with `PSB 1`.
 /// \param file_name the file
 /// \throw std::runtime_error if the file cannot be read, or is neither; its text names the defect

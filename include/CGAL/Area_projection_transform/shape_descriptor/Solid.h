@@ -38,7 +38,8 @@ inline double checked_volume(double volume, double area)
   constexpr double least = 1e-7;
   if(!(volume > least * area * std::sqrt(area)) || !std::isfinite(volume))
     throw std::invalid_argument(
-        "surface encloses no volume: must face outward, and have an inside to be described");
+        "surface encloses no volume, or next to none of its box: must face outward, and have an "
+        "inside to be described");
   return volume;
 }
 

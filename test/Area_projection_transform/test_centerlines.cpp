@@ -75,6 +75,15 @@ TEST(Centerlines, follow_a_straight_tube_exactly)
   EXPECT_NEAR(branch.score, 1, 0.25);
 }
 
+TEST(Centerlines, end_however_thin_a_tube_is_asked_for)
+{
+  Centerline_options options;
+  options.smallest_radius = std::numeric_limits<double>::denorm_min();
+  const Centerline_graph graph = lines_of(round_tube(10), options);
+  ASSERT_EQ(AP::branches(graph).size(), 1u);
+  EXPECT_NEAR(AP::branches(graph)[0].length, 10, 1e-6);
+}
+
 TEST(Centerlines, measure_the_section_of_a_tube)
 {
   const Centerline_graph graph = lines_of(round_tube(12));

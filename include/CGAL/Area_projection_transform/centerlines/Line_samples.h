@@ -100,7 +100,8 @@ inline void Line_samples::set_radii(const Vector& centroid, double area,
       std::max(largest * extent, 2 * options.smallest_radius.value_or(0)));
   m_smallest_radius =
       options.smallest_radius.value_or(std::min({smallest * extent, thin, m_largest_radius}));
-  m_smallest_radius = std::max(m_smallest_radius, 1e-9 * extent); // a few roundings of the places
+  m_smallest_radius = // what is thinner is noise of the places
+      std::max(m_smallest_radius, std::min(1e-9 * extent, m_largest_radius));
   m_largest_radius = std::min(m_largest_radius, std::max(extent, m_smallest_radius));
 }
 

@@ -28,8 +28,10 @@ with open(MAPT, "rb") as program:
 
 class Limited(Test):
     def run_limited(self, limit, amount, *arguments):
+        # Where lines are counted, the counts would be cut off as well.
+        environment = {**os.environ, "LLVM_PROFILE_FILE": os.devnull}
         return subprocess.run([MAPT, *map(str, arguments)], capture_output=True, text=True, timeout=300,
-                              check=False,
+                              check=False, env=environment,
                               preexec_fn=lambda: resource.setrlimit(limit, (amount, amount)))
 
     def files(self):

@@ -38,14 +38,19 @@ double cell_of(const AP::Medial_representation& axis, double diagonal,
   return options.cell.value_or(std::max(0.005 * diagonal, least));
 }
 
-// As measured; what sticks out of balls is told by another mesh of them.
-void check_memory(const AP::Medial_representation& axis, double area, double cell,
+// As measured, with the other mesh that tells what sticks out. The area is that of the shape or, of balls outside of it, no
+// more than that of a sphere around them, to within what was seen.
+void check_memory(const AP::Medial_representation& axis, double area, double diagonal, double cell,
                   const Medial_options& options)
 {
   constexpr double bytes_of_square = 3000; // as large as a cell
+  constexpr double pi = 3.14159265358979323846;
+  const double extent = AP::internal::Ball_lattice::extent(axis);
+  if(options.computation.side == AP::Side::OUTSIDE || extent > diagonal)
+    area = std::max(area, pi * extent * extent);
   double area_of_balls = 0;
   for(const double radius : axis.radii)
-    area_of_balls += 4 * 3.14159265358979323846 * radius * radius;
+    area_of_balls += 4 * pi * radius * radius;
   const double bytes = bytes_of_square * std::min(area, area_of_balls) / (cell * cell);
   if(bytes > options.common.max_memory)
     throw Input_error(options.mesh + ": the mesh of the balls in cells of " + to_text(cell) +
@@ -64,7 +69,7 @@ Reconstruction reconstruct(const Medial_result& result, const Source& source,
   AP::Medial_representation axis =
       AP::medial_representation("kept", result.balls, result.kept, result.growth);
   const double cell = cell_of(axis, reconstruction.diagonal, options);
-  check_memory(axis, source.total_area(), cell, options);
+  check_memory(axis, source.total_area(), reconstruction.diagonal, cell, options);
   if(options.is_interpolated)
     axis = AP::interpolated_balls(axis, cell);
   Signal_watch::check();

@@ -81,6 +81,16 @@ class Memory(Limited):
                 self.fail_with(UNUSABLE_INPUT, ["balls need", "--max-memory"], "medial", mesh, *options,
                                "--max-memory", peak / 2)
 
+    def test_a_mesh_of_balls_that_is_allowed_is_near_the_peak(self):
+        """By a factor of two: balls outside are much larger than the shape."""
+        for options in (["--select", "covering", "--cell", 0.003], ["--side", "outside", "--balls", 50]):
+            with self.subTest(options=options):
+                command = ("medial", DATA / "hand.obj", "--reconstruct", self.path / "balls.stl", *options)
+                peak = self.report(*command)["peak_memory_bytes"]
+                self.succeed(*command, "--max-memory", 2 * peak)
+                self.fail_with(UNUSABLE_INPUT, ["the mesh of the balls", "raise --cell"], *command,
+                               "--max-memory", peak / 2)
+
     def test_memory_that_ends(self):
         """At whatever point: an error of one line and no file, or all is well."""
         before = self.files() + ["at.csv"]
